@@ -16564,6 +16564,25 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::RmsSoFar</name>
+    <message>
+        <source>RMS so far</source>
+        <translation>RMS bisher</translation>
+    </message>
+    <message>
+        <source>RMS: from %1 images on</source>
+        <translation>RMS: ab %1 Bildern</translation>
+    </message>
+    <message>
+        <source>RMS: not yet, %1</source>
+        <translation>RMS: noch nicht, %1</translation>
+    </message>
+    <message>
+        <source>RMS so far: %1 px; highest: %2 px in %3</source>
+        <translation>RMS bisher: %1 px; am höchsten: %2 px in %3</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotDialog</name>
     <message>
         <source>Add robot</source>

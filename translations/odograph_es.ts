@@ -16564,6 +16564,25 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::RmsSoFar</name>
+    <message>
+        <source>RMS so far</source>
+        <translation>RMS hasta ahora</translation>
+    </message>
+    <message>
+        <source>RMS: from %1 images on</source>
+        <translation>RMS: a partir de %1 imágenes</translation>
+    </message>
+    <message>
+        <source>RMS: not yet, %1</source>
+        <translation>RMS: aún no, %1</translation>
+    </message>
+    <message>
+        <source>RMS so far: %1 px; highest: %2 px in %3</source>
+        <translation>RMS hasta ahora: %1 px; el mayor: %2 px en %3</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotDialog</name>
     <message>
         <source>Add robot</source>

@@ -16564,6 +16564,25 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::RmsSoFar</name>
+    <message>
+        <source>RMS so far</source>
+        <translation>RMS jusqu’ici</translation>
+    </message>
+    <message>
+        <source>RMS: from %1 images on</source>
+        <translation>RMS : à partir de %1 images</translation>
+    </message>
+    <message>
+        <source>RMS: not yet, %1</source>
+        <translation>RMS : pas encore, %1</translation>
+    </message>
+    <message>
+        <source>RMS so far: %1 px; highest: %2 px in %3</source>
+        <translation>RMS jusqu’ici : %1 px ; le plus élevé : %2 px dans %3</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotDialog</name>
     <message>
         <source>Add robot</source>

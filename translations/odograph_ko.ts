@@ -16508,6 +16508,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::RmsSoFar</name>
+    <message>
+        <source>RMS so far</source>
+        <translation>현재까지의 RMS</translation>
+    </message>
+    <message>
+        <source>RMS: from %1 images on</source>
+        <translation>RMS: 이미지 %1장부터</translation>
+    </message>
+    <message>
+        <source>RMS: not yet, %1</source>
+        <translation>RMS: 아직 없음, %1</translation>
+    </message>
+    <message>
+        <source>RMS so far: %1 px; highest: %2 px in %3</source>
+        <translation>현재까지의 RMS: %1 px, 최댓값: %3의 %2 px</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotDialog</name>
     <message>
         <source>Add robot</source>

@@ -16508,6 +16508,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::RmsSoFar</name>
+    <message>
+        <source>RMS so far</source>
+        <translation>目前的 RMS</translation>
+    </message>
+    <message>
+        <source>RMS: from %1 images on</source>
+        <translation>RMS：从 %1 张图像起</translation>
+    </message>
+    <message>
+        <source>RMS: not yet, %1</source>
+        <translation>RMS：尚无，%1</translation>
+    </message>
+    <message>
+        <source>RMS so far: %1 px; highest: %2 px in %3</source>
+        <translation>目前的 RMS：%1 px；最高：%3 中的 %2 px</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotDialog</name>
     <message>
         <source>Add robot</source>

@@ -219,6 +219,7 @@ void TestManualPictures::lensCalibration()
         m_book->take(dialog, QStringLiteral("lens_source"));
         pressNext(dialog);
         QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Next >")->isEnabled(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(says(dialog, "RMS so far: "), patienceMs);
         m_book->take(dialog, QStringLiteral("lens_pictures"));
         pressNext(dialog);
         QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Save")->isEnabled(), patienceMs);

@@ -20,8 +20,9 @@ constexpr double goodMisfit = 0.5;     // a quarter of a pixel
 constexpr double less = 0.98;          // of the misfit
 constexpr double clearlyLess = 0.9;    // where a shadow could as well be part of a robot that does not turn
 constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
-constexpr double unlikelyWorse = 0.15; // than a good misfit, by its share: of other shadows
-constexpr double unlikelyNearby = 2;   // times the misfit: of nearly the same shadows
+constexpr double unlikelyWorse = 0.12; // than a good misfit, by its share: of other shadows
+constexpr double unlikelyNearby = 1.7; // times the misfit: of nearly the same shadows
+constexpr float theSame = 0.97F;       // of a darkest shadow
 
 /// The mean of one kind of ambiguity of a robot's outlines; 0 where it was measured by its colour.
 class MeanAmbiguity
@@ -153,7 +154,11 @@ bool ShadowChoice::tryDarkest(float darkest, std::vector<Outlines> &known, doubl
 {
     Background::Shadow shadow = m_shadow;
     shadow.darkest = darkest;
-    return tryShadow(shadow, known, share);
+    const bool isKnown = std::ranges::any_of(m_tried, [&](const Tried &tried) {
+        return tried.shadow.tint == shadow.tint && tried.shadow.connects == shadow.connects &&
+               tried.shadow.darkest > theSame * darkest && theSame * tried.shadow.darkest < darkest;
+    });
+    return !isKnown && tryShadow(shadow, known, share);
 }
 
 void ShadowChoice::search(bool inParts)

@@ -2,9 +2,12 @@
 // The lens wizard as a person walks it: by keyboard from files, by mouse from a camera, with cancel at every
 // page.
 #include "core/base/units.h"
+#include "core/calibration/board_collector.h"
+#include "core/calibration/intrinsic_calibration.h"
 #include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/renderer.h"
 #include "core/video/image.h"
+#include "core/video/image_reader.h"
 #include "core/video/video_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
@@ -15,6 +18,7 @@
 #include "ui/testbed/lens/internal/board_images_page.h"
 #include "ui/testbed/lens/internal/calibration_result_page.h"
 #include "ui/testbed/lens/internal/lens_drawings.h"
+#include "ui/testbed/lens/internal/rms_so_far.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/views/widgets/theme.h"
 
@@ -87,6 +91,7 @@ private Q_SLOTS:
     void aCutBoardFirstCostsNoPicture_data();
     void aCutBoardFirstCostsNoPicture();
     void takesOutAndUndoes();
+    void saysTheRmsOfTheImagesSoFar();
     void leavesOutWhatIsAboveTheThreshold();
     void aBarIsChosenAndTheThresholdDragged();
     void tellsOfALostCamera();
@@ -382,6 +387,37 @@ void TestLensWizard::takesOutAndUndoes()
     QTRY_COMPARE(strip->count(), kept);
     QCOMPARE(strip->item(2)->text(), name);
     QVERIFY(!strip->undoAction()->isEnabled());
+}
+
+/// It is the RMS that a calibration by the accepted images alone gives; of too few there is none.
+void TestLensWizard::saysTheRmsOfTheImagesSoFar()
+{
+    const auto wizard = makeWizard();
+    walkToImages(*wizard);
+    auto *words = wizard->findChild<RmsSoFar *>();
+    const auto settled = [&] {
+        return QTest::qWaitFor([&] { return words->isSettled() && words->text().contains(u"RMS so far"); },
+                               patienceMs);
+    };
+    QVERIFY2(settled(), qPrintable(words->text()));
+    BoardCollector collector(BoardSpec{});
+    for (const QString &file : m_files)
+        collector.offer(*readImage(file.toStdString()), file.toStdString());
+    const std::vector<BoardView> views = collector.views();
+    const auto fit = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, {});
+    QVERIFY(fit.has_value());
+    const QString expected = QStringLiteral("RMS so far: %1 px;").arg(fit->rmsPx, 0, 'f', 2);
+    QVERIFY2(words->text().startsWith(expected), qPrintable(words->text() + expected));
+    auto *strip = wizard->findChild<FilmStrip *>();
+    while (strip->count() > 2) {
+        const int before = strip->count();
+        strip->setCurrentRow(0);
+        QTest::keyClick(strip, Qt::Key_Delete);
+        QTRY_COMPARE(strip->count(), before - 1);
+    }
+    QCOMPARE(words->text(), QStringLiteral("RMS: from 3 images on"));
+    QTest::keyClick(strip, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY2(settled() || words->text().startsWith(u"RMS: not yet"), qPrintable(words->text()));
 }
 
 void TestLensWizard::leavesOutWhatIsAboveTheThreshold()

@@ -4,6 +4,7 @@
 #include "core/calibration/board_placement.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/lens/internal/lens_drawings.h"
+#include "ui/testbed/lens/internal/rms_so_far.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -125,8 +126,8 @@ QString wordsOf(BoardHint hint)
 
 BoardImagesPage::BoardImagesPage(BoardSearch &search, QWidget *parent)
     : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel),
-      m_refused(new QListWidget), m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel),
-      m_take(plainButton(tr("&Take an image now")))
+      m_rms(new RmsSoFar), m_refused(new QListWidget), m_strip(new FilmStrip), m_headline(new QLabel),
+      m_detail(new QLabel), m_take(plainButton(tr("&Take an image now")))
 {
     setAcceptDrops(true);
     m_headline->setStyleSheet(QStringLiteral("font-size: 14pt; font-weight: 600"));
@@ -172,7 +173,13 @@ QWidget *BoardImagesPage::makeSide()
     m_refused->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_refused->setSelectionMode(QAbstractItemView::NoSelection);
     auto *needed = new Card(tr("Coverage of the images"));
-    needed->setContent(m_coverage);
+    auto *ofImages = new QWidget;
+    auto *ofImagesLayout = new QVBoxLayout(ofImages);
+    ofImagesLayout->setContentsMargins(0, 0, 0, 10);
+    ofImagesLayout->addWidget(m_coverage);
+    m_rms->setContentsMargins(12, 0, 12, 0);
+    ofImagesLayout->addWidget(m_rms);
+    needed->setContent(ofImages);
     auto *content = new QWidget;
     auto *contentLayout = new QVBoxLayout(content);
     contentLayout->setContentsMargins(0, 0, 0, 0);
@@ -249,6 +256,7 @@ void BoardImagesPage::showState()
 {
     const SearchState &state = m_search.state();
     m_coverage->setCoverage(state.coverage);
+    m_rms->setState(state);
     m_strip->setState(state);
     QStringList shown, refused;
     for (int row = 0; row < m_refused->count(); ++row)

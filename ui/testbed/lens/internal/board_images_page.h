@@ -16,9 +16,11 @@ namespace odo {
 class BoardCanvas;
 class CoveragePanel;
 class FilmStrip;
+class RmsSoFar;
 
 /// Second page of the lens wizard: the image with the detected board, the coverage that is still missing,
-/// where to hold the board next, the accepted images in a row, and the rejected ones with the reason.
+/// the RMS so far, where to hold the board next, the accepted images in a row, and the rejected ones with the
+/// reason.
 class BoardImagesPage : public QWidget
 {
     Q_OBJECT
@@ -46,6 +48,7 @@ private:
     bool m_live = false;
     BoardCanvas *m_canvas;
     CoveragePanel *m_coverage;
+    RmsSoFar *m_rms;
     QListWidget *m_refused;
     FilmStrip *m_strip;
     QLabel *m_headline, *m_detail;
