@@ -16856,6 +16856,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>when the robot passes the start</source>
         <translation>wenn der Roboter den Start passiert</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Seconds recorded before the start</source>
+        <translation>Vor dem Start aufgenommene Sekunden</translation>
+    </message>
+    <message>
+        <source>Frames of this time are kept in memory, so a late press loses nothing</source>
+        <translation>Die Bilder dieser Zeit bleiben im Speicher: wer zu spät drückt, verliert nichts</translation>
+    </message>
+    <message>
+        <source>Before start</source>
+        <translation>Vor dem Start</translation>
+    </message>
 </context>
 <context>
     <name>odo::RunChooser</name>
@@ -17633,12 +17653,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bereit machen</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
-        <translation>Warten auf den Roboter an „%1“; aufgenommen wird ab einer Sekunde davor</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops</source>
+        <translation>F9 nimmt auf, auch die %1 s davor; F9 stoppt</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops; %2</source>
+        <translation>F9 nimmt auf, auch die %1 s davor; F9 stoppt; %2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>Warten auf den Roboter an „%1“. Aufgenommen wird ab %2 s davor</translation>
     </message>
 </context>
 <context>
@@ -26683,8 +26711,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.give_pre_roll</name>
     <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>geben Sie einen Vorlauf von 0 bis 10 Sekunden an</translation>
+        <source>give a pre-roll of 0 to 30 seconds</source>
+        <translation>geben Sie einen Vorlauf von 0 bis 30 Sekunden an</translation>
     </message>
 </context>
 <context>
@@ -26940,10 +26968,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.keep_less_before</name>
+    <message>
+        <source>record fewer seconds before the start, or smaller frames</source>
+        <translation>nehmen Sie weniger Sekunden vor dem Start auf, oder kleinere Bilder</translation>
+    </message>
+</context>
+<context>
     <name>workflow.keeping_pictures</name>
     <message>
         <source>saving the images</source>
         <translation>Bilder werden abgelegt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.kept_before_start</name>
+    <message>
+        <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
+        <translation>nur die %1 vor dem Start blieben erhalten: %2 dieser Kamera brauchen mehr als %3</translation>
     </message>
 </context>
 <context>
@@ -28944,8 +28986,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>the pre-roll must be from 0 s to 10 s</source>
-        <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
+        <source>the pre-roll must be from 0 s to 30 s</source>
+        <translation>der Vorlauf muss von 0 s bis 30 s sein</translation>
     </message>
 </context>
 <context>

@@ -16856,6 +16856,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>when the robot passes the start</source>
         <translation>cuando el robot pasa la salida</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>Seconds recorded before the start</source>
+        <translation>Segundos grabados antes del inicio</translation>
+    </message>
+    <message>
+        <source>Frames of this time are kept in memory, so a late press loses nothing</source>
+        <translation>Los fotogramas de este tiempo se guardan en memoria: pulsar tarde no pierde nada</translation>
+    </message>
+    <message>
+        <source>Before start</source>
+        <translation>Antes del inicio</translation>
+    </message>
 </context>
 <context>
     <name>odo::RunChooser</name>
@@ -17633,12 +17653,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Prepárese</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
-        <translation>Esperando al robot en “%1”; se graba desde un segundo antes</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Detener</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops</source>
+        <translation>F9 graba, también los %1 s anteriores; F9 detiene</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops; %2</source>
+        <translation>F9 graba, también los %1 s anteriores; F9 detiene; %2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>Esperando al robot en “%1”. Se graba desde %2 s antes</translation>
     </message>
 </context>
 <context>
@@ -26683,8 +26711,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.give_pre_roll</name>
     <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>dé un prerregistro de 0 a 10 segundos</translation>
+        <source>give a pre-roll of 0 to 30 seconds</source>
+        <translation>dé un prerregistro de 0 a 30 segundos</translation>
     </message>
 </context>
 <context>
@@ -26940,10 +26968,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.keep_less_before</name>
+    <message>
+        <source>record fewer seconds before the start, or smaller frames</source>
+        <translation>grabe menos segundos antes del inicio, o fotogramas más pequeños</translation>
+    </message>
+</context>
+<context>
     <name>workflow.keeping_pictures</name>
     <message>
         <source>saving the images</source>
         <translation>guardando las imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.kept_before_start</name>
+    <message>
+        <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
+        <translation>solo se guardaron los %1 anteriores al inicio: %2 de esta cámara necesitan más de %3</translation>
     </message>
 </context>
 <context>
@@ -28944,8 +28986,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>the pre-roll must be from 0 s to 10 s</source>
-        <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
+        <source>the pre-roll must be from 0 s to 30 s</source>
+        <translation>el prerregistro debe ser de 0 s a 30 s</translation>
     </message>
 </context>
 <context>

@@ -16856,6 +16856,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>when the robot passes the start</source>
         <translation>quand le robot franchit le départ</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>Seconds recorded before the start</source>
+        <translation>Secondes filmées avant le départ</translation>
+    </message>
+    <message>
+        <source>Frames of this time are kept in memory, so a late press loses nothing</source>
+        <translation>Les images de cette durée sont gardées en mémoire : appuyer trop tard ne perd rien</translation>
+    </message>
+    <message>
+        <source>Before start</source>
+        <translation>Avant le départ</translation>
+    </message>
 </context>
 <context>
     <name>odo::RunChooser</name>
@@ -17633,12 +17653,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Tenez-vous prêts</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
-        <translation>En attente du robot à «&#xa0;%1&#xa0;»&#xa0;; il est filmé à partir d’une seconde avant</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops</source>
+        <translation>F9 filme, avec les %1 s d’avant ; F9 arrête</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops; %2</source>
+        <translation>F9 filme, avec les %1 s d’avant ; F9 arrête ; %2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>En attente du robot à « %1 ». Il est filmé à partir de %2 s avant</translation>
     </message>
 </context>
 <context>
@@ -26683,8 +26711,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.give_pre_roll</name>
     <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>donnez un pré-enregistrement de 0 à 10 secondes</translation>
+        <source>give a pre-roll of 0 to 30 seconds</source>
+        <translation>donnez un pré-enregistrement de 0 à 30 secondes</translation>
     </message>
 </context>
 <context>
@@ -26940,10 +26968,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.keep_less_before</name>
+    <message>
+        <source>record fewer seconds before the start, or smaller frames</source>
+        <translation>filmez moins de secondes avant le départ, ou des images plus petites</translation>
+    </message>
+</context>
+<context>
     <name>workflow.keeping_pictures</name>
     <message>
         <source>saving the images</source>
         <translation>conservation des photos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.kept_before_start</name>
+    <message>
+        <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
+        <translation>seules les %1 avant le départ ont été gardées : %2 de cette caméra demandent plus de %3</translation>
     </message>
 </context>
 <context>
@@ -28944,8 +28986,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>the pre-roll must be from 0 s to 10 s</source>
-        <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
+        <source>the pre-roll must be from 0 s to 30 s</source>
+        <translation>le pré-enregistrement doit être de 0 s à 30 s</translation>
     </message>
 </context>
 <context>

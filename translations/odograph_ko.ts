@@ -16800,6 +16800,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>when the robot passes the start</source>
         <translation>로봇이 출발을 지날 때</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>꺼짐</translation>
+    </message>
+    <message>
+        <source>Seconds recorded before the start</source>
+        <translation>시작 전에 녹화되는 초</translation>
+    </message>
+    <message>
+        <source>Frames of this time are kept in memory, so a late press loses nothing</source>
+        <translation>이 시간의 프레임을 메모리에 보관하므로 늦게 눌러도 잃는 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>Before start</source>
+        <translation>시작 전</translation>
+    </message>
 </context>
 <context>
     <name>odo::RunChooser</name>
@@ -17574,12 +17594,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>준비하십시오</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
-        <translation>“%1”에서 로봇을 기다리는 중; 1초 전부터 녹화합니다</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>정지</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops</source>
+        <translation>F9로 녹화(이전 %1 s 포함), F9로 정지</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops; %2</source>
+        <translation>F9로 녹화(이전 %1 s 포함), F9로 정지; %2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>“%1”에서 로봇을 기다리는 중입니다. 그 %2 s 전부터 녹화합니다</translation>
     </message>
 </context>
 <context>
@@ -26604,8 +26632,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.give_pre_roll</name>
     <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>사전 녹화를 0초에서 10초 사이로 주십시오</translation>
+        <source>give a pre-roll of 0 to 30 seconds</source>
+        <translation>사전 녹화를 0초에서 30초 사이로 주십시오</translation>
     </message>
 </context>
 <context>
@@ -26861,10 +26889,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.keep_less_before</name>
+    <message>
+        <source>record fewer seconds before the start, or smaller frames</source>
+        <translation>시작 전의 초를 줄이거나 더 작은 프레임으로 녹화하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.keeping_pictures</name>
     <message>
         <source>saving the images</source>
         <translation>사진 보관 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.kept_before_start</name>
+    <message>
+        <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
+        <translation>시작 전 %1만 보관되었습니다: 이 카메라의 %2에는 %3보다 많은 메모리가 필요합니다</translation>
     </message>
 </context>
 <context>
@@ -28865,8 +28907,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>the pre-roll must be from 0 s to 10 s</source>
-        <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
+        <source>the pre-roll must be from 0 s to 30 s</source>
+        <translation>사전 녹화는 0 s에서 30 s 사이여야 합니다</translation>
     </message>
 </context>
 <context>

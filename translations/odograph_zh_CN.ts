@@ -16800,6 +16800,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>when the robot passes the start</source>
         <translation>机器人通过起点时</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Seconds recorded before the start</source>
+        <translation>开始前录制的秒数</translation>
+    </message>
+    <message>
+        <source>Frames of this time are kept in memory, so a late press loses nothing</source>
+        <translation>这段时间的帧保留在内存中，因此按晚了也不会丢失</translation>
+    </message>
+    <message>
+        <source>Before start</source>
+        <translation>开始前</translation>
+    </message>
 </context>
 <context>
     <name>odo::RunChooser</name>
@@ -17574,12 +17594,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>准备</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
-        <translation>正在等待机器人到达“%1”；录像从一秒前开始</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops</source>
+        <translation>F9 开始录制，包括之前的 %1 s；F9 停止</translation>
+    </message>
+    <message>
+        <source>F9 records, with the %1 s before; F9 stops; %2</source>
+        <translation>F9 开始录制，包括之前的 %1 s；F9 停止；%2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>正在等待机器人到达“%1”。录像从此前 %2 s 开始</translation>
     </message>
 </context>
 <context>
@@ -26604,8 +26632,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.give_pre_roll</name>
     <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>请给出 0 到 10 秒的预录时长</translation>
+        <source>give a pre-roll of 0 to 30 seconds</source>
+        <translation>请给出 0 到 30 秒的预录时长</translation>
     </message>
 </context>
 <context>
@@ -26861,10 +26889,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.keep_less_before</name>
+    <message>
+        <source>record fewer seconds before the start, or smaller frames</source>
+        <translation>请减少开始前录制的秒数，或使用较小的画面</translation>
+    </message>
+</context>
+<context>
     <name>workflow.keeping_pictures</name>
     <message>
         <source>saving the images</source>
         <translation>正在保存图片</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.kept_before_start</name>
+    <message>
+        <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
+        <translation>只保留了开始前的 %1：此相机的 %2 需要超过 %3 的内存</translation>
     </message>
 </context>
 <context>
@@ -28865,8 +28907,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>the pre-roll must be from 0 s to 10 s</source>
-        <translation>预先保留的时长无效，或超过 10 s</translation>
+        <source>the pre-roll must be from 0 s to 30 s</source>
+        <translation>预录时长必须为 0 s 到 30 s</translation>
     </message>
 </context>
 <context>

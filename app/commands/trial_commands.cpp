@@ -227,7 +227,7 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         const auto number = call.number(option::preRoll);
         if (!number || *number < 0 || *number > longestPreRollS)
             return call.wrongCall(
-                ODO_TEXT("app.pre_roll_is", "--pre-roll is a number of seconds from 0 to 10"));
+                ODO_TEXT("app.pre_roll_is", "--pre-roll is a number of seconds from 0 to 30"));
         settings.preRollS = *number;
     }
     return settings;
@@ -237,6 +237,13 @@ double rateOf(const ViewRecording &view)
 {
     const double lengthS = view.taken.empty() ? 0 : toSeconds(view.taken.back() - view.taken.front());
     return lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
+}
+
+/// When it was started, since its first frame.
+double startOf(const TrialRecord &trial)
+{
+    const auto start = trial.variables.find(startVariable);
+    return start == trial.variables.end() ? 0 : QString::fromStdString(start->second).toDouble();
 }
 
 /// "A: 300 frames, 30.0 a second, none lost", on a line of its own.
@@ -299,7 +306,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
            QStringLiteral("SECONDS")},
           {option::preRoll,
            QStringLiteral(
-               "How long to record before that, at most 10 seconds; the cameras run for this time first."),
+               "How long to record before that, at most 30 seconds; the cameras run for this time first."),
            QStringLiteral("SECONDS")},
           {option::robot, QStringLiteral("A robot in view."), QStringLiteral("R")},
           {option::sslVision,
@@ -335,6 +342,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                      .arg(english(synchronisationWords(percentile(errorsS, 95))));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
                  {QStringLiteral("duration_s"), recorded.trial().durationS},
+                 {QStringLiteral("start_s"), startOf(recorded.trial())},
                  {QStringLiteral("views"), viewsJson(recorded, settings)},
                  {QStringLiteral("pairs"), qint64(pairs.pairs)},
                  {QStringLiteral("unpaired"), qint64(pairs.unpaired)},

@@ -186,12 +186,13 @@ Nanoseconds toleranceOf(const std::vector<std::unique_ptr<CameraSource>> &camera
 
 CaptureSession::CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras, CaptureSettings settings)
     : m_tolerance(toleranceOf(cameras)), m_disk(std::move(settings.disk)),
+      m_preRollBytesOfView(settings.preRollBytes / cameras.size()),
       m_pairing(
           std::make_shared<FramePairing>(Synchroniser::Settings{cameras.size(), m_tolerance, longestWait}))
 {
     for (std::size_t view = 0; view < cameras.size(); ++view)
-        m_views.push_back(
-            std::make_shared<ViewCapture>(std::move(cameras[view]), view, settings.preRoll, m_pairing));
+        m_views.push_back(std::make_shared<ViewCapture>(
+            std::move(cameras[view]), view, KeptFrames{settings.preRoll, m_preRollBytesOfView}, m_pairing));
     for (const auto &view : m_views)
         view->start();
 }
@@ -281,6 +282,12 @@ std::optional<double> CaptureSession::remainingSeconds(const std::filesystem::pa
     if (!space || bytesPerSecond <= 0)
         return std::nullopt;
     return static_cast<double>(m_disk.left(*space)) / bytesPerSecond;
+}
+
+void CaptureSession::setPreRoll(Nanoseconds preRoll)
+{
+    for (const auto &view : m_views)
+        view->keepFor(preRoll);
 }
 
 void CaptureSession::startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll)

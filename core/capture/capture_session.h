@@ -37,10 +37,15 @@ struct ViewRecording
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
     /// that this program or the disk was too slow for; not what `problem` cost
     std::uint64_t lostByUs = 0;
-    std::vector<double> latenciesS; ///< of each frame, from when it was taken to when it was written
+    /// of each frame, from when it was taken to when it was written; of one from before the recording began,
+    /// from then on
+    std::vector<double> latenciesS;
     std::vector<RecordingGap> gaps;
     double longestWaitS = 0;      ///< that a frame waited for the disk
     std::optional<Error> problem; ///< why it ended by itself
+    /// Arrival of the oldest frame that was still in memory, where earlier ones were wanted and had been
+    /// dropped because those kept of this view would have exceeded their share of it.
+    std::optional<Nanoseconds> keptOnlyFrom;
 };
 
 /// What became of a recording of several views.
@@ -78,6 +83,9 @@ struct CaptureSettings
     /// none, and frames are only coded while a recording goes on.
     Nanoseconds preRoll = std::chrono::seconds(3);
     DiskWatch disk = {};
+    /// The most memory for preRoll, of all views together; each has the same share. Beyond it the oldest
+    /// frames are dropped.
+    std::size_t preRollBytes = 512'000'000;
 };
 
 /// Runs several cameras at once, for as long as it lives: shows and tracks their frames live, reports how
@@ -124,9 +132,13 @@ public:
     /// recording starts; nullopt while that is not known, and without a pre-roll. Asks the disk: quick for
     /// one in this machine.
     std::optional<double> remainingSeconds(const std::filesystem::path &folder) const;
-    /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV
-    /// file; holds the cameras' automatics still. Returns at once: what cannot be written shows in health().
-    /// Not while one goes on.
+    /// Keeps frames in memory for so long from now on, instead of CaptureSettings::preRoll.
+    void setPreRoll(Nanoseconds preRoll);
+    /// The share of a view in CaptureSettings::preRollBytes.
+    std::size_t preRollBytesOfView() const { return m_preRollBytesOfView; }
+    /// Records all views from so long ago, each to its own new MKV file, as far as frames are kept; these
+    /// come first, without a gap or a repeated frame before those that arrive now. Holds the cameras'
+    /// automatics still. Returns at once: what cannot be written shows in health(). Not while one goes on.
     void startRecording(const std::vector<std::filesystem::path> &files,
                         Nanoseconds preRoll = Nanoseconds(0));
     bool isRecording() const;
@@ -142,6 +154,7 @@ private:
 
     Nanoseconds m_tolerance{0};
     const DiskWatch m_disk;
+    const std::size_t m_preRollBytesOfView;
     std::shared_ptr<FramePairing> m_pairing;
     std::vector<std::shared_ptr<ViewCapture>>
         m_views;                ///< shared with their threads, which a hanging camera may outlive us with

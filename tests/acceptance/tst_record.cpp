@@ -125,8 +125,8 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --trial x --camera sim:A", 2, "--camera");
     row("record %/p.odo --trial x --camera A=sim:A --seconds 0", 2, "--seconds is a number above zero");
     row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "at most 86,400 (a day)");
-    row("record %/p.odo --trial x --camera A=sim:A --pre-roll 11", 2,
-        "--pre-roll is a number of seconds from 0 to 10");
+    row("record %/p.odo --trial x --camera A=sim:A --pre-roll 31", 2,
+        "--pre-roll is a number of seconds from 0 to 30");
     row("record %/p.odo --trial x --camera A=sim:Z", 1, "simulated camera Z does not exist");
     row("record %/p.odo --trial x --camera A=usb:0", 1, "no kind of camera has an address like this");
     row("record %/p.odo --trial x --camera A=sim:A --camera B=sim:A", 1, "was given twice");

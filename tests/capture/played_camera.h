@@ -107,6 +107,7 @@ public:
         bool codes = false;        ///< gives JPEG files (which are none, but words)
         std::vector<Message> notHeld = {};
         FrameFormat format = FrameFormat{160, 96};
+        std::size_t jpegBytes = 0; ///< its JPEG files are that large; they share their bytes
     };
     PlayedCamera(std::shared_ptr<Script> script, Kind kind)
         : m_script(std::move(script)), m_kind(std::move(kind))
@@ -158,7 +159,11 @@ private:
         captured.sequence = std::uint64_t(m_sequence++);
         captured.lostHere = std::exchange(m_lostHere, 0);
         captured.hostTime = m_kind.beginning + time;
-        if (m_kind.codes) {
+        if (m_kind.jpegBytes > 0) {
+            if (!m_large)
+                m_large = std::make_shared<const std::vector<std::uint8_t>>(m_kind.jpegBytes);
+            captured.jpeg = m_large;
+        } else if (m_kind.codes) {
             const std::string bytes = "\xff\xd8picture " + std::to_string(captured.sequence) + " as it came";
             captured.jpeg = std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
         }
@@ -171,6 +176,7 @@ private:
     int m_sequence = 0;
     Nanoseconds m_time{0}, m_interval = interval;
     std::uint64_t m_lostHere = 0;
+    std::shared_ptr<const std::vector<std::uint8_t>> m_large;
 };
 
 } // namespace odo::test

@@ -14,6 +14,26 @@ namespace {
 
 using State = ViewHealth::State;
 
+/// So many pictures of each camera, each lot taken before the next one.
+void play(const TwoCameras &cameras, int lots)
+{
+    const std::uint64_t before = cameras.delivered();
+    for (int i = 1; i <= lots; ++i) {
+        cameras.frames(lot);
+        QTRY_COMPARE(cameras.delivered(), before + std::uint64_t(i * lot));
+    }
+}
+
+/// The numbers of the frames in a file, as the camera counted them: first, first + 1, and so on.
+bool countUp(const std::vector<RawTime> &frames, std::uint64_t first)
+{
+    for (const RawTime &frame : frames) {
+        if (frame.sequence != first++)
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 class TestCaptureSession : public QObject
@@ -25,6 +45,11 @@ private Q_SLOTS:
     void recordsAllAndPairsThem();
     void recordsAgainAndAgain();
     void beginsBeforeItWasAskedTo();
+    void whatWasKeptComesFirstWithoutAGap();
+    void howLongFramesAreKeptCanBeChanged();
+    void theMemoryOfWhatIsKeptIsBounded();
+    void whatIsKeptDoesNotFillTheQueueToTheDisk();
+    void whatIsLostWhileKeptIsLostByUs();
     void lostPicturesAreCounted();
     void whatASourceThrowsAwayIsLostByUs();
     void picturesThatTheCameraCodedAreKeptAsTheyCame();
@@ -91,6 +116,108 @@ void TestCaptureSession::beginsBeforeItWasAskedTo()
         QCOMPARE(view.times.frames.size(), std::size_t(10));
         QCOMPARE(view.times.frames.back().sequence, std::uint64_t(lot - 1));
     }
+}
+
+/// Five seconds of frames 33 ms apart are 152 of them; the others come while it records.
+void TestCaptureSession::whatWasKeptComesFirstWithoutAGap()
+{
+    TwoCameras cameras(5s);
+    play(cameras, 10);
+    cameras.session->startRecording(filesIn(*m_folder), 1h);
+    play(cameras, 2);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    for (const ViewRecording &view : outcome.views) {
+        QCOMPARE(view.times.frames.size(), std::size_t(152 + 2 * lot));
+        QVERIFY(countUp(view.times.frames, 300 - 152));
+        for (std::size_t i = 1; i < view.times.frames.size(); ++i)
+            QCOMPARE(view.times.frames[i].device - view.times.frames[i - 1].device, Nanoseconds(33ms));
+        QCOMPARE(view.frames, 152u + 2 * lot);
+        QCOMPARE(view.lostByUs + view.lostOnWire, 0u);
+        QVERIFY(!view.keptOnlyFrom);
+        // A frame of before has no latency from before: they claim to have been taken 20 s ago.
+        QVERIFY(*std::ranges::max_element(view.latenciesS) < 19);
+        const auto reader = VideoReader::open(view.file);
+        QVERIFY(reader);
+        QCOMPARE((*reader)->info().frameTimes.size(), view.times.frames.size());
+        QCOMPARE((*reader)->info().frameTimes.back(), Nanoseconds((152 + 2 * lot - 1) * 33ms));
+    }
+}
+
+void TestCaptureSession::howLongFramesAreKeptCanBeChanged()
+{
+    TwoCameras cameras(300ms);
+    play(cameras, 1);
+    cameras.session->setPreRoll(600ms); // none come back that were dropped
+    play(cameras, 2);
+    cameras.session->startRecording(filesIn(*m_folder), 1h);
+    RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].times.frames.size(), std::size_t(19)); // 18 steps of 33 ms
+    cameras.session->setPreRoll(0s);
+    play(cameras, 1);
+    cameras.session->startRecording(filesIn(*m_folder, "c.mkv", "d.mkv"), 1h);
+    outcome = cameras.session->stopRecording();
+    QVERIFY(outcome.views[0].times.frames.empty());
+}
+
+/// Frames of a megabyte, as of a large format: ten of them fit, of the 91 that are wanted.
+void TestCaptureSession::theMemoryOfWhatIsKeptIsBounded()
+{
+    const auto script = std::make_shared<Script>();
+    std::vector<std::unique_ptr<CameraSource>> cameras;
+    cameras.push_back(std::make_unique<PlayedCamera>(
+        script, PlayedCamera::Kind{.beginning = steadyNow() - 20s, .jpegBytes = 1'000'000}));
+    CaptureSession session(std::move(cameras), {.preRoll = 3s, .preRollBytes = 10'500'000});
+    QCOMPARE(session.preRollBytesOfView(), std::size_t(10'500'000));
+    for (std::uint64_t lots = 1; lots <= 4; ++lots) {
+        script->frames(lot);
+        QTRY_COMPARE(session.health().views[0].delivered, lots * lot);
+    }
+    session.startRecording({filesIn(*m_folder).front()}, 1h);
+    const RecordingOutcome outcome = session.stopRecording();
+    const ViewRecording &view = outcome.views.front();
+    QCOMPARE(view.times.frames.size(), std::size_t(10));
+    QVERIFY(countUp(view.times.frames, 4 * lot - 10));
+    QCOMPARE(view.keptOnlyFrom, std::optional(view.times.frames.front().arrival));
+    QCOMPARE(view.lostByUs, 0u); // they belong to no recording
+}
+
+/// 80 MB are handed over at once, more than the 64 MB that may wait for a slow disk.
+void TestCaptureSession::whatIsKeptDoesNotFillTheQueueToTheDisk()
+{
+    const auto script = std::make_shared<Script>();
+    std::vector<std::unique_ptr<CameraSource>> cameras;
+    cameras.push_back(std::make_unique<PlayedCamera>(
+        script, PlayedCamera::Kind{.beginning = steadyNow() - 20s, .jpegBytes = 1'000'000}));
+    CaptureSession session(std::move(cameras), {.preRoll = 10s});
+    for (std::uint64_t lots = 1; lots <= 3; ++lots) {
+        script->frames(lot);
+        QTRY_COMPARE(session.health().views[0].delivered, lots * lot);
+    }
+    session.startRecording({filesIn(*m_folder).front()}, 1h);
+    script->frames(lot);
+    QTRY_COMPARE(session.health().views[0].delivered, 4u * lot);
+    QVERIFY(session.health().disk.waiting < 0.6); // of which those of before are no part
+    const RecordingOutcome outcome = session.stopRecording();
+    const ViewRecording &view = outcome.views.front();
+    QCOMPARE(view.lostByUs, 0u);
+    QCOMPARE(view.times.frames.size(), std::size_t(4 * lot));
+    QVERIFY(countUp(view.times.frames, 0));
+}
+
+void TestCaptureSession::whatIsLostWhileKeptIsLostByUs()
+{
+    TwoCameras cameras(5s);
+    cameras.a->frames(10);
+    cameras.a->loseHere(3);
+    cameras.a->frames(10);
+    cameras.b->frames(20);
+    QTRY_COMPARE(cameras.delivered(), 20u);
+    cameras.session->startRecording(filesIn(*m_folder), 1h);
+    const RecordingOutcome outcome = cameras.session->stopRecording();
+    QCOMPARE(outcome.views[0].times.frames.size(), std::size_t(20));
+    QCOMPARE(outcome.views[0].lostByUs, 3u);
+    QCOMPARE(outcome.views[0].lostOnWire, 0u);
+    QCOMPARE(outcome.views[1].lostByUs, 0u);
 }
 
 void TestCaptureSession::lostPicturesAreCounted()

@@ -26,22 +26,23 @@ constexpr int lot = 30; ///< so many find room at once, however slow this machin
 /// A project, and two cameras; B takes its pictures 7 ms later by a clock that began an hour before A's.
 struct Sitting
 {
-    Sitting()
+    explicit Sitting(CaptureSettings settings = {0s}, std::size_t jpegBytes = 0)
         : project(std::move(*Project::create(folder.filePath(QStringLiteral("p.odo")).toStdString(), "Live")))
     {
-        const Nanoseconds beginning = steadyNow();
         std::vector<std::unique_ptr<CameraSource>> cameras;
-        cameras.push_back(std::make_unique<PlayedCamera>(a, PlayedCamera::Kind{.beginning = beginning}));
+        cameras.push_back(std::make_unique<PlayedCamera>(
+            a, PlayedCamera::Kind{.beginning = beginning, .jpegBytes = jpegBytes}));
         cameras.push_back(std::make_unique<PlayedCamera>(
             b, PlayedCamera::Kind{.beginning = beginning, .clockStart = -3600s, .phase = 7ms}));
-        session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{0s});
+        session = std::make_unique<CaptureSession>(std::move(cameras), std::move(settings));
     }
     Result<std::shared_ptr<LiveTrial>> begin(const std::string &name = "run",
-                                             const std::vector<std::string> &cameras = {"A", "B"})
+                                             const std::vector<std::string> &cameras = {"A", "B"},
+                                             std::optional<RunStart> start = std::nullopt)
     {
         TrialRecord trial;
         trial.name = name;
-        return LiveTrial::begin(*project, trial, cameras, *session);
+        return LiveTrial::begin(*project, trial, cameras, *session, start);
     }
     /// Has both cameras take a lot more, and waits until it stands in the project.
     void record(LiveTrial &live, std::size_t lots)
@@ -67,6 +68,7 @@ struct Sitting
     }
 
     QTemporaryDir folder;
+    Nanoseconds beginning = steadyNow();
     std::unique_ptr<Project> project;
     std::shared_ptr<Script> a = std::make_shared<Script>(), b = std::make_shared<Script>();
     std::unique_ptr<CaptureSession> session;
@@ -79,6 +81,8 @@ class TestLiveTrial : public QObject
     Q_OBJECT
 private Q_SLOTS:
     void standsInTheProjectFromItsBeginning();
+    void itsStartIsMarkedWhereItBeganBefore();
+    void whatTheMemoryCouldNotKeepIsTold();
     void aCameraThatTookTooFewPicturesIsTold();
     void oneThatIsGivenUpLeavesNothingBehind();
     void viewsNeverShareAFile_data();
@@ -122,6 +126,47 @@ void TestLiveTrial::standsInTheProjectFromItsBeginning()
     QCOMPARE((*live)->commit(*sitting.project).error().why.english(),
              std::string("its recording has ended already"));
     QVERIFY(!sitting.project->trials().removeUnfinished(trial.id));
+}
+
+/// The button is pressed half way from the 28th to the 29th of 30 kept frames, and all are wanted.
+void TestLiveTrial::itsStartIsMarkedWhereItBeganBefore()
+{
+    Sitting sitting({5s});
+    sitting.a->frames(lot);
+    sitting.b->frames(lot);
+    QTRY_VERIFY(sitting.session->health().views[0].delivered == lot &&
+                sitting.session->health().views[1].delivered == lot);
+    const Nanoseconds pressed = sitting.beginning + 27 * 33ms + 16ms;
+    const auto live = sitting.begin("run", {"A", "B"}, RunStart{pressed, pressed - 2s});
+    QVERIFY(live);
+    sitting.a->frames(lot);
+    sitting.b->frames(lot);
+    for (const char *camera : {"A", "B"})
+        QTRY_VERIFY((*live)->append(*sitting.project) &&
+                    sitting.rawTimes(camera).frames.size() == std::size_t(2 * lot));
+    QVERIFY(runToEnd(**live, *sitting.project, {}));
+    QVERIFY((*live)->warnings().empty());
+    const TrialRecord trial = sitting.trial();
+    QCOMPARE(trial.variables.size(), std::size_t(1));
+    QCOMPARE(trial.variables.at(startVariable), std::string("0.907")); // 27 · 33 + 16 ms
+    QVERIFY(sitting.project->check(true)->empty());
+}
+
+void TestLiveTrial::whatTheMemoryCouldNotKeepIsTold()
+{
+    Sitting sitting({.preRoll = 5s, .preRollBytes = 20'500'000}, 1'000'000); // 10 frames of A
+    sitting.a->frames(lot);
+    sitting.b->frames(lot);
+    QTRY_VERIFY(sitting.session->health().views[0].delivered == lot &&
+                sitting.session->health().views[1].delivered == lot);
+    const Nanoseconds pressed = sitting.beginning + (lot - 1) * 33ms;
+    const auto live = sitting.begin("run", {"A", "B"}, RunStart{pressed, pressed - 800ms});
+    QVERIFY(live && runToEnd(**live, *sitting.project, {}));
+    QCOMPARE((*live)->warnings().size(), std::size_t(1));
+    QCOMPARE(
+        (*live)->warnings().front().english(),
+        std::string("view 'A': only the 0.3 s before the start were kept: 0.8 s of this camera need more "
+                    "than 10 MB; record fewer seconds before the start, or smaller frames"));
 }
 
 void TestLiveTrial::aCameraThatTookTooFewPicturesIsTold()

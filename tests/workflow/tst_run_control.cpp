@@ -48,6 +48,7 @@ class TestRunControl : public QObject
 private Q_SLOTS:
     void init() { m_now = 100s; }
     void aPressBeginsAndTheNextEnds();
+    void theSecondsBeforeAreChosen();
     void aCountdownCanBeCalledOff();
     void theRobotBeginsAndEndsItself();
     void lapsAreCounted();
@@ -91,6 +92,30 @@ void TestRunControl::aPressBeginsAndTheNextEnds()
     QVERIFY(end && end->kind == RunOrder::Kind::End);
     QCOMPARE(run.phase(), RunPhase::Ready);
     QCOMPARE(run.elapsed(), 0s);
+}
+
+/// A press begins so much earlier, and a gate a second at least: its passage needs the track before it.
+void TestRunControl::theSecondsBeforeAreChosen()
+{
+    for (const Nanoseconds before : {Nanoseconds(0s), Nanoseconds(5s)}) {
+        RunControl run = control();
+        RunSettings settings;
+        settings.before = before;
+        run.prepare(settings, std::nullopt, 1);
+        const auto pressed = run.press();
+        QVERIFY(pressed);
+        QCOMPARE(pressed->at, m_now);
+        QCOMPARE(pressed->from, m_now - before);
+        run.press();
+        settings.byGates = true;
+        run.prepare(settings, line(), 1);
+        run.press();
+        const Nanoseconds armed = m_now;
+        const auto passed = driveLine(run, 0, 0, 3);
+        QVERIFY(passed);
+        QVERIFY(std::chrono::abs(passed->at - (armed + 500ms)) < 50ms);
+        QCOMPARE(passed->from, passed->at - std::max<Nanoseconds>(before, 1s));
+    }
 }
 
 void TestRunControl::aCountdownCanBeCalledOff()

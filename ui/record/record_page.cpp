@@ -73,6 +73,8 @@ namespace {
 
 constexpr int tickMs = 50, healthEachTicks = 10;
 constexpr int columnWidth = 320;
+// Beyond what is to be recorded before a start: what a gate, or the project, takes to begin it.
+constexpr Nanoseconds keptBesides = std::chrono::seconds(3);
 
 } // namespace
 
@@ -184,6 +186,7 @@ void RecordPage::connectAll()
     connectCameras();
     connect(m_start, &StartCard::pressed, this, &RecordPage::press);
     connect(m_run, &RunCard::changed, this, &RecordPage::showFloor);
+    connect(m_run, &RunCard::beforeChanged, this, &RecordPage::keepBefore);
     connect(m_run, &RunCard::robotsChanged, this, &RecordPage::followRobots);
     connect(m_recorder, &RunRecorder::recorded, this, &RecordPage::takeRecorded);
     connect(m_recorder, &RunRecorder::gaveUp, this, &RecordPage::takeGivenUp);
@@ -249,6 +252,7 @@ void RecordPage::hideEvent(QHideEvent *)
 void RecordPage::showCameras()
 {
     m_board->setCameras(m_cameras.running());
+    keepBefore();
     followRobots();
     showFloor();
     checkHealth();
@@ -264,6 +268,14 @@ void RecordPage::showFloor()
     m_board->setFloor(*scene);
     if (m_control.phase() == RunPhase::Ready)
         m_control.prepare(m_run->settings(), m_run->task(), m_run->robots().size());
+    showStart();
+}
+
+/// Cameras keep what is to be recorded before the next start.
+void RecordPage::keepBefore()
+{
+    if (m_cameras.session())
+        m_cameras.session()->setPreRoll(m_run->settings().before + keptBesides);
     showStart();
 }
 
@@ -309,7 +321,7 @@ void RecordPage::obey(const std::optional<RunOrder> &order)
     if (!order)
         return;
     if (order->kind == RunOrder::Kind::Begin)
-        begin(order->from);
+        begin(*order);
     else if (order->kind == RunOrder::Kind::End)
         end();
     m_results->setRecording(m_control.phase() != RunPhase::Ready);
@@ -318,13 +330,13 @@ void RecordPage::obey(const std::optional<RunOrder> &order)
 }
 
 /// Nothing from before its robots were chosen belongs to the run.
-void RecordPage::begin(Nanoseconds from)
+void RecordPage::begin(const RunOrder &order)
 {
-    from = std::max(from, m_followedSince);
+    const Nanoseconds from = std::max(order.from, m_followedSince);
     std::vector<std::string> names;
     for (const WantedCamera &camera : m_cameras.cameras())
         names.push_back(camera.name);
-    m_recorder->begin(m_run->run(), names, m_cameras.session(), from);
+    m_recorder->begin(m_run->run(), names, m_cameras.session(), {order.at, from});
     m_health->countFromNow();
     m_cameras.tracker()->beginRun(from);
     m_board->forgetPaths();
@@ -401,6 +413,8 @@ void RecordPage::showStart()
     state.blocked = m_health->blocked();
     if (state.blocked.isEmpty() && m_run->run().trial.empty())
         state.blocked = tr("Give the trial a name");
+    const RunSettings settings = m_run->settings();
+    state.beforeS = settings.countdown > Nanoseconds{0} ? 0 : int(toSeconds(settings.before));
     state.gate = QString::fromStdString(m_control.startGate());
     m_start->setState(state);
 }

@@ -93,7 +93,8 @@ private:
     void takeMoment(const LiveMoment &moment);
     void press();
     void obey(const std::optional<RunOrder> &order);
-    void begin(Nanoseconds from);
+    void begin(const RunOrder &order);
+    void keepBefore();
     void end();
     void takeRecorded(const QString &trial, const std::vector<Message> &warnings);
     void takeGivenUp(const QString &trial, const Error &error);

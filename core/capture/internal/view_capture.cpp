@@ -22,10 +22,10 @@ constexpr double slowShare = 0.75; // of the rate; with a pause of half a second
 
 } // namespace
 
-ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
+ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, KeptFrames kept,
                          std::shared_ptr<FramePairing> pairing)
     : m_camera(std::move(camera)), m_view(view), m_pairing(std::move(pairing)),
-      m_coder(description().uri, preRoll), m_slept(machineSlept())
+      m_coder(description().uri, kept), m_slept(machineSlept())
 {
 }
 

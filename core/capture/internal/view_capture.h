@@ -3,7 +3,7 @@
 
 #include "core/base/bounded_queue.h"
 #include "core/capture/capture_health.h"
-#include "core/capture/internal/view_writer.h"
+#include "core/capture/internal/view_coder.h"
 #include "core/capture/synchroniser.h"
 
 #include <deque>
@@ -18,7 +18,7 @@ namespace odo {
 class ViewCapture : public std::enable_shared_from_this<ViewCapture>
 {
 public:
-    ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
+    ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, KeptFrames kept,
                 std::shared_ptr<FramePairing> pairing);
     ~ViewCapture();
     ViewCapture(const ViewCapture &) = delete;
@@ -40,6 +40,8 @@ public:
     /// Why nothing more will come; nullopt while something may.
     std::optional<Error> end() const;
 
+    /// How long frames are kept from now on while nothing is written.
+    void keepFor(Nanoseconds length) { m_coder.keepFor(length); }
     /// From now on all goes to the writer, beginning with what arrived no longer ago.
     void startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds preRoll);
     /// When what has arrived by now was handed to the writer and it was closed.

@@ -4,15 +4,12 @@
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
-#include "core/capture/camera_source.h"
 #include "core/capture/capture_session.h"
-#include "core/video/jpeg.h"
 #include "core/video/recording_writer.h"
 #include "core/video/video_reader.h"
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <utility>
 
 namespace odo {
@@ -67,13 +64,8 @@ void ViewWriter::offer(CodedFrame frame)
     const std::lock_guard lock(m_mutex);
     if (m_closed || m_recording.problem)
         return;
-    m_recording.frames += 1 + frame.lostBefore;
-    m_recording.lostByUs += frame.lostBefore;
-    const std::uint64_t sequence = frame.raw.sequence;
-    if (m_lastSequence && sequence > *m_lastSequence + 1 + frame.lostBefore)
-        m_recording.lostOnWire += sequence - *m_lastSequence - 1 - frame.lostBefore;
-    m_lastSequence = sequence;
-    if (m_waitingBytes + frame.jpeg->size() > mostWaitingBytes) {
+    count(frame);
+    if (bytesInQueue() + frame.jpeg->size() > mostWaitingBytes) {
         ++m_recording.lostByUs;
         ++m_droppedWhenFull;
         return;
@@ -81,6 +73,33 @@ void ViewWriter::offer(CodedFrame frame)
     m_waitingBytes += frame.jpeg->size();
     m_waiting.push_back({std::move(frame), steadyNow()});
     m_wake.notify_all();
+}
+
+void ViewWriter::offerKept(std::deque<CodedFrame> frames, std::optional<Nanoseconds> onlyFrom)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_closed || m_recording.problem)
+        return;
+    m_recording.keptOnlyFrom = onlyFrom;
+    m_begun = steadyNow();
+    for (CodedFrame &frame : frames) {
+        count(frame);
+        m_keptBytes += frame.jpeg->size();
+        m_waitingBytes += frame.jpeg->size();
+        m_waiting.push_back({std::move(frame), m_begun, true});
+    }
+    m_wake.notify_all();
+}
+
+/// A frame that was delivered, and those that were lost before it; the mutex is held.
+void ViewWriter::count(const CodedFrame &frame)
+{
+    m_recording.frames += 1 + frame.lostBefore;
+    m_recording.lostByUs += frame.lostBefore;
+    const std::uint64_t sequence = frame.raw.sequence;
+    if (m_lastSequence && sequence > *m_lastSequence + 1 + frame.lostBefore)
+        m_recording.lostOnWire += sequence - *m_lastSequence - 1 - frame.lostBefore;
+    m_lastSequence = sequence;
 }
 
 void ViewWriter::countLost(std::uint64_t frames)
@@ -112,6 +131,8 @@ std::optional<ViewWriter::Waiting> ViewWriter::waitForNext()
         return std::nullopt;
     Waiting next = std::move(m_waiting.front());
     m_waiting.pop_front();
+    // Seconds that were in memory take their time; a disk is slow only for what comes meanwhile.
+    next.since = std::max(next.since, m_caughtUp);
     m_writing = next.since;
     return next;
 }
@@ -129,13 +150,17 @@ void ViewWriter::write()
                                         });
         const std::lock_guard lock(m_mutex);
         m_waitingBytes -= next->frame.jpeg->size();
+        if (next->isKept) {
+            m_keptBytes -= next->frame.jpeg->size();
+            m_caughtUp = steadyNow();
+        }
         m_writing.reset();
         m_recording.longestWaitS = std::max(m_recording.longestWaitS, toSeconds(steadyNow() - next->since));
         if (!written) {
             m_recording.problem = written.error();
             m_writingFailed = isWriting;
             m_waiting.clear();
-            m_waitingBytes = 0;
+            m_waitingBytes = m_keptBytes = 0;
             break;
         }
         note(next->frame);
@@ -215,7 +240,7 @@ void ViewWriter::note(const CodedFrame &frame)
             {times.frames.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
     m_lastArrival = frame.raw.arrival;
     m_bytes += frame.jpeg->size();
-    m_recording.latenciesS.push_back(toSeconds(steadyNow() - frame.taken));
+    m_recording.latenciesS.push_back(toSeconds(steadyNow() - std::max(frame.taken, m_begun)));
     for (RecordedTimes *kept : {&times, &m_fresh}) {
         kept->frames.push_back(frame.raw);
         if (frame.clock)
@@ -248,7 +273,7 @@ ViewWriter::State ViewWriter::state(Nanoseconds now) const
 {
     const std::lock_guard lock(m_mutex);
     State state;
-    state.waiting = static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes);
+    state.waiting = static_cast<double>(bytesInQueue()) / static_cast<double>(mostWaitingBytes);
     state.recordedS = m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0;
     state.bytes = m_bytes;
     state.droppedWhenFull = m_droppedWhenFull;
@@ -292,159 +317,6 @@ ViewRecording ViewWriter::finish()
     m_recording.taken = std::move(derived.taken);
     m_recording.clockSigmaS = derived.sigmaS;
     return std::move(m_recording);
-}
-
-namespace {
-
-constexpr std::size_t mostUncoded = 32; // a second at 30 frames/s; at 1280×720 some 45 MB
-constexpr std::size_t mostKeptBytes = 64 << 20;
-constexpr double leastKnownS = 0.5;
-
-} // namespace
-
-/// What the thread keeps: the last seconds, and whom they go to.
-struct ViewCoder::Coding
-{
-    JpegEncoder encoder;
-    std::deque<CodedFrame> kept;
-    std::size_t keptBytes = 0;
-    std::shared_ptr<ViewWriter> writer;
-
-    /// As it came, or coded here.
-    Result<CodedFrame> code(const UncodedFrame &uncoded)
-    {
-        const CapturedFrame &captured = uncoded.captured;
-        CodedFrame coded{captured.jpeg,
-                         captured.frame.format,
-                         {captured.sequence, captured.frame.time, captured.hostTime},
-                         uncoded.taken,
-                         captured.clock,
-                         uncoded.interruption,
-                         uncoded.lostBefore};
-        if (coded.jpeg)
-            return coded;
-        auto jpeg = ODO_TRY(encoder.encode(captured.frame));
-        coded.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(jpeg));
-        return coded;
-    }
-
-    void keep(CodedFrame frame, Nanoseconds howLong)
-    {
-        keptBytes += frame.jpeg->size();
-        const Nanoseconds oldest = frame.raw.arrival - howLong;
-        kept.push_back(std::move(frame));
-        while (!kept.empty() && (kept.front().raw.arrival < oldest || keptBytes > mostKeptBytes)) {
-            keptBytes -= kept.front().jpeg->size();
-            kept.pop_front();
-        }
-    }
-
-    /// Of what is kept; 0 where that is too little to know.
-    double bytesPerSecond() const
-    {
-        const double overS = kept.empty() ? 0 : toSeconds(kept.back().raw.arrival - kept.front().raw.arrival);
-        return overS > leastKnownS ? static_cast<double>(keptBytes) / overS : 0;
-    }
-
-    void begin(Start start)
-    {
-        writer = std::move(start.writer);
-        for (CodedFrame &frame : kept) {
-            if (frame.raw.arrival >= start.from)
-                writer->offer(std::move(frame));
-        }
-        kept.clear();
-        keptBytes = 0;
-    }
-
-    void end(Stop stop)
-    {
-        if (writer) {
-            writer->countLost(stop.lostBefore);
-            writer->close();
-            writer.reset();
-        }
-        stop.done.set_value();
-    }
-};
-
-ViewCoder::ViewCoder(std::string uri, Nanoseconds preRoll)
-    : m_uri(std::move(uri)), m_preRoll(preRoll), m_work(mostUncoded)
-{
-}
-
-ViewCoder::~ViewCoder() = default;
-
-Result<void> ViewCoder::start()
-{
-    auto thread = startThread(cameraAtAddress(m_uri), [this] { run(); });
-    if (!thread)
-        return tl::unexpected(thread.error());
-    m_thread = std::move(*thread);
-    return {};
-}
-
-bool ViewCoder::offer(UncodedFrame uncoded)
-{
-    return m_work.tryPush(std::move(uncoded));
-}
-
-void ViewCoder::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds from)
-{
-    if (m_thread.joinable())
-        m_work.push(Start{std::move(writer), from});
-    else
-        writer->close();
-}
-
-std::future<void> ViewCoder::stopWriting(std::uint64_t lostBefore)
-{
-    Stop stop{{}, lostBefore};
-    std::future<void> done = stop.done.get_future();
-    if (m_thread.joinable())
-        m_work.push(std::move(stop));
-    else
-        stop.done.set_value();
-    return done;
-}
-
-void ViewCoder::end()
-{
-    m_work.close();
-    if (m_thread.joinable())
-        m_thread.join();
-}
-
-void ViewCoder::run()
-{
-    Coding coding;
-    while (auto work = m_work.pop()) {
-        if (auto *start = std::get_if<Start>(&*work))
-            coding.begin(std::move(*start));
-        else if (auto *stop = std::get_if<Stop>(&*work))
-            coding.end(std::move(*stop));
-        else if (coding.writer || m_preRoll > Nanoseconds(0))
-            code(coding, std::get<UncodedFrame>(*work));
-    }
-}
-
-void ViewCoder::code(Coding &coding, const UncodedFrame &uncoded)
-{
-    auto coded =
-        orShortage([this] { return ODO_TEXT("capture.picture_of_camera", "a frame of camera %1")(m_uri); },
-                   [&] { return coding.code(uncoded); });
-    if (!coded) {
-        if (coding.writer)
-            coding.writer->fail(coded.error());
-        return;
-    }
-    if (coding.writer) {
-        coding.writer->offer(std::move(*coded));
-        return;
-    }
-    coding.keep(std::move(*coded), m_preRoll);
-    if (const double rate = coding.bytesPerSecond(); rate > 0)
-        m_bytesPerSecond = rate;
 }
 
 } // namespace odo

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/bounded_queue.h"
-#include "core/capture/camera_source.h"
 #include "core/capture/capture_health.h"
 #include "core/capture/capture_session.h"
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <thread>
-#include <variant>
 
 namespace odo {
 
@@ -42,6 +37,9 @@ public:
 
     /// The next frame of the camera. Never waits. Any thread, one at a time.
     void offer(CodedFrame frame);
+    /// The frames from before the recording began, in order; before any other is offered. They are in memory
+    /// already, so their bytes do not count. onlyFrom: ViewRecording::keptOnlyFrom.
+    void offerKept(std::deque<CodedFrame> frames, std::optional<Nanoseconds> onlyFrom);
     /// The camera delivered frames that could not be coded in time, and none after them.
     void countLost(std::uint64_t frames);
     /// Something other than the disk ends the recording of this view; what waits is still written.
@@ -53,7 +51,7 @@ public:
 
     struct State
     {
-        double waiting = 0; ///< how full the queue is
+        double waiting = 0; ///< how full the queue is, of frames since the recording began
         double recordedS = 0;
         std::uint64_t bytes = 0;              ///< written
         std::uint64_t droppedWhenFull = 0;    ///< frames offered while the queue was too full
@@ -71,7 +69,10 @@ private:
     {
         CodedFrame frame;
         Nanoseconds since;
+        bool isKept = false; ///< from before the recording began
     };
+    void count(const CodedFrame &frame);
+    std::size_t bytesInQueue() const { return m_waitingBytes - m_keptBytes; }
     void write();
     Result<void> write(Output &output, const CodedFrame &frame) const;
     void note(const CodedFrame &frame);
@@ -87,7 +88,9 @@ private:
     mutable std::mutex m_mutex;                                          ///< guards what follows
     std::condition_variable m_wake;
     std::deque<Waiting> m_waiting;
-    std::size_t m_waitingBytes = 0;
+    std::size_t m_waitingBytes = 0, m_keptBytes = 0; ///< the latter of frames from before it began
+    Nanoseconds m_begun{0};                          ///< when those were offered
+    Nanoseconds m_caughtUp{0};                       ///< when the last of them was written so far
     bool m_closed = false, m_writingFailed = false;
     std::uint64_t m_bytes = 0, m_droppedWhenFull = 0;
     std::optional<std::uint64_t> m_bytesLeft;
@@ -97,64 +100,6 @@ private:
     RecordedTimes m_fresh;                                    ///< written, and not yet taken
     ViewRecording m_recording;
     std::thread m_thread; ///< last, so that it begins when all is there
-};
-
-/// Codes the frames of one camera on a thread of its own, keeps the last seconds of them, and hands them to
-/// a writer when there is one. Any thread, but for start() and end().
-class ViewCoder
-{
-public:
-    struct UncodedFrame
-    {
-        CapturedFrame captured;
-        Nanoseconds taken;
-        std::optional<Error> interruption; ///< what kept the camera from delivering just before
-        std::uint64_t lostBefore;          ///< that came while the queue to the coder was full
-    };
-
-    /// uri: of the camera. preRoll: how much is kept while nothing is written.
-    ViewCoder(std::string uri, Nanoseconds preRoll);
-    ~ViewCoder(); ///< after end(), where start() succeeded
-    ViewCoder(const ViewCoder &) = delete;
-    ViewCoder &operator=(const ViewCoder &) = delete;
-
-    /// Unavailable where there is no thread; then whatever is to be written ends at once.
-    Result<void> start();
-    /// Never waits; false: the queue is full.
-    bool offer(UncodedFrame uncoded);
-    /// From now on all goes to the writer, beginning with what arrived then.
-    void startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds from);
-    /// When what was offered by now was handed to the writer and it was closed. lostBefore: what was lost
-    /// since the last frame because the queue was full.
-    std::future<void> stopWriting(std::uint64_t lostBefore);
-    /// What was offered is still coded; waits for that.
-    void end();
-
-    /// Bytes per second of the frames on the disk at present; 0 while that is not known.
-    double bytesPerSecond() const { return m_bytesPerSecond; }
-
-private:
-    struct Start
-    {
-        std::shared_ptr<ViewWriter> writer;
-        Nanoseconds from;
-    };
-    struct Stop
-    {
-        std::promise<void> done;
-        std::uint64_t lostBefore;
-    };
-    using Work = std::variant<UncodedFrame, Start, Stop>;
-    struct Coding;
-
-    void run();
-    void code(Coding &coding, const UncodedFrame &uncoded);
-
-    const std::string m_uri;
-    const Nanoseconds m_preRoll;
-    BoundedQueue<Work> m_work;
-    std::thread m_thread;
-    std::atomic<double> m_bytesPerSecond = 0; ///< of what is kept
 };
 
 } // namespace odo

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds keptBeforeARun = 10s, latencyWindow = 10s;
+constexpr Nanoseconds keptBeforeARun = 33s, latencyWindow = 10s;
 
 /// Registered at another frame size, its positions would be silently wrong.
 bool fits(const LiveView &view, const FrameFormat &format)

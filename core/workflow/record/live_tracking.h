@@ -85,7 +85,7 @@ public:
     LiveTracker &operator=(const LiveTracker &) = delete;
 
     LiveStatistics statistics() const;
-    /// A run started at this time of the steady clock, up to ten seconds ago: what is seen from then on is
+    /// A run started at this time of the steady clock, up to 33 seconds ago: what is seen from then on is
     /// kept.
     void beginRun(Nanoseconds from);
     /// What was seen since then, a run for each robot. Nothing is kept any more.

@@ -2,6 +2,7 @@
 #include "core/workflow/record/live_trial.h"
 
 #include "core/base/file_system.h"
+#include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
@@ -11,6 +12,7 @@
 #include "core/workflow/record/completed_recordings.h"
 #include "core/workflow/shared_words.h"
 
+#include <QString>
 #include <algorithm>
 #include <chrono>
 
@@ -29,7 +31,7 @@ Message viewSubject(const std::string &camera)
 
 Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecord trial,
                                                     const std::vector<std::string> &cameras,
-                                                    CaptureSession &session, Nanoseconds preRoll)
+                                                    CaptureSession &session, std::optional<RunStart> start)
 {
     // Its disk may be unmounted: then the media folder would be made on another one.
     if (!files::exists(project.file()))
@@ -49,7 +51,9 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
         view.file.keep(); // it is the trial's
         files.push_back(view.file.path());
     }
-    session.startRecording(files, preRoll);
+    live->m_start = start;
+    session.startRecording(files,
+                           start ? std::max(Nanoseconds(0), steadyNow() - start->from) : Nanoseconds(0));
     live->m_recording = true;
     return live;
 }
@@ -202,7 +206,8 @@ Result<void> LiveTrial::commit(Project &project)
                                   [&]() -> Result<void> {
                                       ODO_TRY(appendPending(project));
                                       describeTrial(m_trial, m_recordings);
-                                      return project.trials().complete(m_trial, m_recordings);
+                                      ODO_TRY(project.trials().complete(m_trial, m_recordings));
+                                      return project.trials().setVariables(m_trial.id, startVariables());
                                   });
     if (!completed)
         return completed;
@@ -234,6 +239,31 @@ Result<void> LiveTrial::discard(Project &project)
     return {};
 }
 
+/// When it was started, where frames of before are recorded too.
+std::map<std::string, std::string> LiveTrial::startVariables() const
+{
+    const auto first = std::ranges::find_if(m_outcome.views, [](const ViewRecording &view) {
+        return !view.taken.empty(); // its first frame is the trial's beginning
+    });
+    if (!m_start || m_start->from >= m_start->at || first == m_outcome.views.end())
+        return {};
+    const double startS = toSeconds(m_start->at - first->taken.front());
+    return {{startVariable, QString::number(std::max(0.0, startS), 'f', 3).toStdString()}};
+}
+
+/// That not all could be kept that was to be recorded before the start.
+std::optional<Message> LiveTrial::keptLess(const ViewRecording &view) const
+{
+    if (!m_start || !view.keptOnlyFrom)
+        return std::nullopt;
+    const double keptS = std::max(0.0, toSeconds(m_start->at - *view.keptOnlyFrom));
+    const double bytes = static_cast<double>(m_session.preRollBytesOfView());
+    return ODO_TEXT("workflow.kept_before_start",
+                    "only the %1 before the start were kept: %2 of this camera need more than %3")(
+        quantity(keptS, 1, "s"), quantity(toSeconds(m_start->at - m_start->from), 1, "s"),
+        quantity(bytes / 1e6, 0, "MB"));
+}
+
 void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, bool byWire)
 {
     const auto warn = [&](Message why, Message advice = {}) {
@@ -247,6 +277,9 @@ void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, boo
              ODO_TEXT("workflow.check_its_cable", "check its cable, and whether another program uses it"));
     else if (view.problem)
         warn(ODO_TEXT("workflow.view_ended_early", "it ended early because %1")(wholeMessage(*view.problem)));
+    if (auto less = keptLess(view))
+        warn(std::move(*less), ODO_TEXT("workflow.keep_less_before",
+                                        "record fewer seconds before the start, or smaller frames"));
     for (const RecordingGap &gap : view.gaps)
         warn(ODO_TEXT("workflow.nothing_came", "no frame arrived for %1 because %2")(
             quantity(toSeconds(gap.length), 1, "s"), wholeMessage(gap.why)));

@@ -7,11 +7,24 @@
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace odo {
+
+/// When a run started, by this machine's steady clock.
+struct RunStart
+{
+    Nanoseconds at{0};   ///< the button, the gate, or what else started it
+    Nanoseconds from{0}; ///< since when it is recorded: at, or before
+};
+
+/// The variable of a trial with the time of its start, in seconds since its first frame. Only a trial
+/// that was recorded from earlier on has it.
+inline const std::string startVariable = "start_s";
 
 /// A trial that is being recorded. It is in the project from its start, and once a second the times of what
 /// has reached the disk are added, so that whatever happens to the program RecoverJob finds it whole but for
@@ -25,12 +38,12 @@ class LiveTrial : public Job
 public:
     /// Adds the trial and begins to record. trial: name, team, task, robots and notes. cameras: the name of
     /// each view of the session; those that are new are added. The session must outlive the recording, and do
-    /// nothing else meanwhile. On the project's thread. Errors: AlreadyExists (the name, or a recording that
-    /// goes on); NotFound; Io.
+    /// nothing else meanwhile. start: nullopt: now. On the project's thread. Errors: AlreadyExists (the name,
+    /// or a recording that goes on); NotFound; Io.
     static Result<std::shared_ptr<LiveTrial>> begin(Project &project, TrialRecord trial,
                                                     const std::vector<std::string> &cameras,
                                                     CaptureSession &session,
-                                                    Nanoseconds preRoll = Nanoseconds(0));
+                                                    std::optional<RunStart> start = std::nullopt);
     ~LiveTrial() override; ///< ends the recording
 
     /// Adds what has reached the disk since. Once a second, on the project's thread. After an error it tries
@@ -69,11 +82,14 @@ private:
     Result<void> store(Project &project);
     Result<void> appendPending(Project &project) const;
     Error withoutFrames() const;
+    std::map<std::string, std::string> startVariables() const;
     void warnOf(const ViewRecording &view, const std::string &camera, bool byWire);
+    std::optional<Message> keptLess(const ViewRecording &view) const;
 
     CaptureSession &m_session;
     std::unique_ptr<RecordingLock> m_lock;
     TrialRecord m_trial;
+    std::optional<RunStart> m_start;
     std::vector<View> m_views;
     std::vector<RecordId> m_newCameras;
     std::vector<RecordingRecord> m_recordings;

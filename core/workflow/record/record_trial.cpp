@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/record/record_trial.h"
 
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
@@ -23,6 +24,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto checkInterval = 50ms, appendEach = 1000ms, longestStart = 10000ms;
+constexpr Nanoseconds startMargin = 2s; // which the project may take to begin a trial
 
 Result<void> checkSettings(Project &project, const RecordSettings &settings)
 {
@@ -37,8 +39,8 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
                     ODO_TEXT("workflow.give_seconds", "give the seconds, such as 10"));
     if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.unusual_pre_roll", "the pre-roll must be from 0 s to 10 s"),
-                    ODO_TEXT("workflow.give_pre_roll", "give a pre-roll of 0 to 10 seconds"));
+                    ODO_TEXT("workflow.unusual_pre_roll", "the pre-roll must be from 0 s to 30 s"),
+                    ODO_TEXT("workflow.give_pre_roll", "give a pre-roll of 0 to 30 seconds"));
     if (project.trials().find(settings.trial))
         return trialIsThere(what);
     std::set<std::string> names, addresses;
@@ -228,7 +230,8 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     auto sent = ODO_TRY(robotsToSend(project, robots, settings));
     auto cameras = ODO_TRY(openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>()))));
     const Nanoseconds preRoll = fromSeconds(settings.preRollS);
-    CaptureSession session(std::move(cameras), {.preRoll = preRoll});
+    CaptureSession session(std::move(cameras),
+                           {.preRoll = settings.preRollS > 0 ? preRoll + startMargin : 0ns});
     ODO_TRY(waitForFrames(session, settings, control));
     const auto sending = beginSending(std::move(sent), session); // ends before the session does
     if (!sending)
@@ -238,7 +241,9 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     for (const auto &[name, address] : settings.cameras)
         names.push_back(name);
     project.keepWritingWhenLost(); // it is rescued at the end
-    auto live = ODO_TRY(LiveTrial::begin(project, std::move(trial), names, session, preRoll));
+    const Nanoseconds at = steadyNow();
+    auto live =
+        ODO_TRY(LiveTrial::begin(project, std::move(trial), names, session, RunStart{at, at - preRoll}));
     const auto kept = keepRecording(project, *live, session, settings, control);
     // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once
     // more, with all that is missing.

@@ -15,7 +15,7 @@
 
 namespace odo {
 
-constexpr double longestRecordingS = 24 * 3600, longestPreRollS = 10;
+constexpr double longestRecordingS = 24 * 3600, longestPreRollS = 30;
 
 struct RecordSettings
 {
@@ -23,7 +23,7 @@ struct RecordSettings
     std::vector<std::pair<std::string, std::string>>
         cameras;         ///< camera's name and its address, first view first
     double seconds = 10; ///< from when all cameras deliver
-    double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
+    double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too: 30 s at most
     std::vector<std::string> robots;
     /// of what should be known while it still records; on the calling thread
     std::function<void(const Message &)> warn = {};

@@ -19,6 +19,9 @@ const Gate *startGateOf(const std::optional<Task> &task)
     return found == task->gates.end() ? nullptr : &*found;
 }
 
+// The passage is found by the track on both sides of the gate.
+constexpr Nanoseconds leastBeforeGate = std::chrono::seconds(1);
+
 } // namespace
 
 RunControl::RunControl(Clock clock) : m_clock(std::move(clock)) {}
@@ -52,18 +55,18 @@ Nanoseconds RunControl::elapsed() const
     return m_phase == RunPhase::Recording ? m_clock() - m_since : Nanoseconds{0};
 }
 
-RunOrder RunControl::begin(Nanoseconds from)
+RunOrder RunControl::begin(Nanoseconds at, Nanoseconds before)
 {
     m_phase = RunPhase::Recording;
-    m_since = from;
+    m_since = at - before;
     m_endsAt.reset();
-    return {RunOrder::Kind::Begin, from};
+    return {RunOrder::Kind::Begin, m_since, at};
 }
 
 std::optional<RunOrder> RunControl::end()
 {
     m_phase = RunPhase::Ready;
-    return RunOrder{RunOrder::Kind::End, {}};
+    return RunOrder{RunOrder::Kind::End};
 }
 
 std::optional<RunOrder> RunControl::press()
@@ -81,11 +84,11 @@ std::optional<RunOrder> RunControl::press()
             m_phase = RunPhase::CountingDown;
             return std::nullopt;
         }
-        return begin(m_since - m_settings.before);
+        return begin(m_since, m_settings.before);
     case RunPhase::CountingDown:
     case RunPhase::Armed:
         m_phase = RunPhase::Ready;
-        return RunOrder{RunOrder::Kind::CallOff, {}};
+        return RunOrder{RunOrder::Kind::CallOff};
     case RunPhase::Recording:
         break;
     }
@@ -96,7 +99,7 @@ std::optional<RunOrder> RunControl::tick()
 {
     const Nanoseconds now = m_clock();
     if (m_phase == RunPhase::CountingDown && now >= m_since + m_settings.countdown)
-        return begin(m_since + m_settings.countdown);
+        return begin(m_since + m_settings.countdown, Nanoseconds{0});
     if (m_phase == RunPhase::Recording &&
         ((m_endsAt && now >= *m_endsAt) || now - m_since >= m_settings.longest))
         return end();
@@ -114,7 +117,7 @@ std::optional<RunOrder> RunControl::robotAt(std::size_t robot, const LivePositio
             return passage.role == GateRole::Start || passage.role == GateRole::StartFinish;
         });
         if (start != passed.end())
-            return begin(start->time - m_settings.before);
+            return begin(start->time, std::max(m_settings.before, leastBeforeGate));
     } else if (!passed.empty() && !m_endsAt && allFinished()) {
         m_endsAt = passed.back().time + m_settings.after;
     }

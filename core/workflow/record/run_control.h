@@ -31,6 +31,7 @@ struct RunOrder
 {
     enum class Kind { Begin, End, CallOff } kind = Kind::Begin;
     Nanoseconds from{0}; ///< of Begin: from when on it is recorded, by the clock
+    Nanoseconds at{0};   ///< of Begin: the press, the countdown's end, the gate
 };
 
 /// Decides when a run is recorded: by a press (a button, a key), after a countdown, or by the robots passing
@@ -60,7 +61,7 @@ public:
     Nanoseconds elapsed() const;       ///< since the beginning; 0 unless recording
 
 private:
-    RunOrder begin(Nanoseconds from);
+    RunOrder begin(Nanoseconds at, Nanoseconds before);
     std::optional<RunOrder> end();
     bool allFinished() const;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
 #include "core/project/repositories.h"
+#include "core/workflow/record/live_trial.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
@@ -23,6 +25,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -58,6 +61,7 @@ private Q_SLOTS:
     void init();
     void cleanup();
     void recordsByKeyAndTheNextTeamIsUp();
+    void theSecondsBeforeThePressAreRecorded();
     void theRobotStartsAndEndsTheRun();
     void theRobotOfTheTeamThatIsUpDrives_data();
     void theRobotOfTheTeamThatIsUpDrives();
@@ -84,6 +88,7 @@ private:
     QString warning() const { return part<WarningBar>()->words(); }
     std::vector<TrialRecord> trials() const { return *m_project->trials().all(); }
     void chooseStart(const QVariant &data);
+    QSpinBox *before() const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
@@ -197,6 +202,50 @@ void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
     QVERIFY(presented.more.contains(QStringLiteral("Falcon 1")));
     QCOMPARE(presented.robots.size(), std::size_t(1));
     QVERIFY(!presented.robots.front().results.empty());
+}
+
+QSpinBox *TestRecordPage::before() const
+{
+    for (QSpinBox *box : part<RunCard>()->findChildren<QSpinBox *>()) {
+        if (box->accessibleName() == QStringLiteral("Seconds recorded before the start"))
+            return box;
+    }
+    return nullptr;
+}
+
+/// Two seconds are kept, and the trial is stopped as soon as it is in the project: it has them, and knows
+/// when the button was pressed. The choice outlives the window.
+void TestRecordPage::theSecondsBeforeThePressAreRecorded()
+{
+    show();
+    QCOMPARE(before()->value(), 0);
+    QCOMPARE(before()->text(), QStringLiteral("off"));
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    before()->setFocus();
+    QTest::keyClick(before(), Qt::Key_Up);
+    QTest::keyClick(before(), Qt::Key_Up);
+    QCOMPARE(before()->value(), 2);
+    QVERIFY2(
+        part<StartCard>()->words().startsWith(QStringLiteral("F9 records, with the 2 s before; F9 stops")),
+        qPrintable(part<StartCard>()->words()));
+    waitForTheRobot();
+    const Nanoseconds running = steadyNow();
+    QTRY_VERIFY_WITH_TIMEOUT(steadyNow() - running > std::chrono::milliseconds(2200), startMs);
+    button()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 1.5, runMs);
+    button()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_page->isRecording(), runMs);
+    const TrialRecord trial = trials().front();
+    QVERIFY(!trial.unfinished);
+    // An interval may be missing, and what a frame takes to arrive is more.
+    const double startS = QString::fromStdString(trial.variables.at(startVariable)).toDouble();
+    QVERIFY2(startS > 1.8 && startS < 2.1, qPrintable(QString::number(startS)));
+    chooseStart(3); // nobody is late after a countdown
+    QVERIFY(!before()->isEnabled());
+    QVERIFY2(part<StartCard>()->words().startsWith(QStringLiteral("F9 records, F9 stops")),
+             qPrintable(part<StartCard>()->words()));
+    show();
+    QCOMPARE(before()->value(), 2);
 }
 
 void TestRecordPage::theRobotStartsAndEndsTheRun()

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStyle>
@@ -25,7 +26,9 @@ namespace odo {
 namespace {
 
 constexpr int byGate = -1; // data of the way to begin; others are seconds
-constexpr int mostLaps = 100;
+constexpr int mostLaps = 100, mostBeforeS = 30;
+
+const QString beforeKey = QStringLiteral("record/secondsBefore");
 
 bool hasStart(const std::optional<Task> &task, bool lapped)
 {
@@ -39,7 +42,7 @@ bool hasStart(const std::optional<Task> &task, bool lapped)
 RunCard::RunCard(QWidget *parent)
     : Card(tr("Up now"), parent), m_form(new QFormLayout), m_class(new QComboBox), m_team(new QComboBox),
       m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots of this run"))),
-      m_trial(new QLineEdit), m_laps(new QSpinBox)
+      m_trial(new QLineEdit), m_before(new QSpinBox), m_laps(new QSpinBox)
 {
     auto *content = new QWidget;
     content->setObjectName(QStringLiteral("cardBody"));
@@ -54,6 +57,13 @@ RunCard::RunCard(QWidget *parent)
     m_form->addRow(tr("Trial &name"), m_trial);
     m_form->addRow(tr("Be&gins"), m_start);
     m_form->addRow(tr("&Laps"), m_laps);
+    m_form->addRow(tr("Before start"), m_before);
+    m_before->setRange(0, mostBeforeS);
+    m_before->setSuffix(tr(" s"));
+    m_before->setSpecialValueText(tr("off"));
+    m_before->setValue(QSettings().value(beforeKey, 0).toInt());
+    m_before->setAccessibleName(tr("Seconds recorded before the start"));
+    m_before->setToolTip(tr("Frames of this time are kept in memory, so a late press loses nothing"));
     m_laps->setRange(1, mostLaps);
     m_laps->setAccessibleName(tr("Number of laps"));
     m_team->setAccessibleName(tr("Team of this run"));
@@ -79,6 +89,10 @@ RunCard::RunCard(QWidget *parent)
         Q_EMIT changed();
     });
     connect(m_laps, &QSpinBox::valueChanged, this, &RunCard::changed);
+    connect(m_before, &QSpinBox::valueChanged, this, [this](int seconds) {
+        QSettings().setValue(beforeKey, seconds);
+        Q_EMIT beforeChanged();
+    });
     showStarts();
 }
 
@@ -164,6 +178,7 @@ void RunCard::showStarts()
     if (hasStart(task(), false))
         m_start->addItem(tr("when the robot passes the start"), byGate);
     m_start->setCurrentIndex(std::max(0, m_start->findData(chosen)));
+    m_before->setEnabled(m_start->currentData().toInt() <= 0); // nobody is late after a countdown
     m_form->setRowVisible(m_laps, m_start->currentData().toInt() == byGate && hasStart(task(), true));
 }
 
@@ -181,6 +196,7 @@ RunSettings RunCard::settings() const
     settings.byGates = start == byGate;
     settings.countdown = std::chrono::seconds(std::max(0, start));
     settings.laps = m_laps->value();
+    settings.before = std::chrono::seconds(m_before->value());
     return settings;
 }
 
@@ -244,6 +260,18 @@ StartCard::StartCard(QWidget *parent)
     setState({});
 }
 
+QString StartCard::keyWords(const State &state)
+{
+    if (state.beforeS > 0 && state.remainingTime.isEmpty())
+        return tr("F9 records, with the %1 s before; F9 stops").arg(state.beforeS);
+    if (state.beforeS > 0)
+        return tr("F9 records, with the %1 s before; F9 stops; %2")
+            .arg(state.beforeS)
+            .arg(state.remainingTime);
+    return state.remainingTime.isEmpty() ? tr("F9 records, F9 stops")
+                                         : tr("F9 records, F9 stops; %1").arg(state.remainingTime);
+}
+
 void StartCard::setState(const State &state)
 {
     QString words, clock = clockText(state.elapsed);
@@ -251,10 +279,9 @@ void StartCard::setState(const State &state)
     bool able = state.blocked.isEmpty() && !state.ending;
     switch (state.phase) {
     case RunPhase::Ready:
-        words = state.ending                    ? tr("Writing the last frames…")
-                : !state.blocked.isEmpty()      ? state.blocked
-                : state.remainingTime.isEmpty() ? tr("F9 records, F9 stops")
-                                                : tr("F9 records, F9 stops; %1").arg(state.remainingTime);
+        words = state.ending               ? tr("Writing the last frames…")
+                : !state.blocked.isEmpty() ? state.blocked
+                                           : keyWords(state);
         break;
     case RunPhase::CountingDown:
         text = tr("Cancel");
@@ -266,8 +293,9 @@ void StartCard::setState(const State &state)
     case RunPhase::Armed:
         text = tr("Cancel");
         sign = QStringLiteral("stop");
-        words =
-            tr("Waiting for the robot at “%1”. The recording will include the second before").arg(state.gate);
+        words = tr("Waiting for the robot at “%1”. The recording will include the %2 s before it")
+                    .arg(state.gate)
+                    .arg(std::max(1, state.beforeS));
         able = true;
         break;
     case RunPhase::Recording:

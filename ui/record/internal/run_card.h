@@ -38,6 +38,7 @@ public:
 
 Q_SIGNALS:
     void changed();       ///< team, task or how to begin
+    void beforeChanged(); ///< so much before the start is to be recorded too
     void robotsChanged(); ///< other robots are to be followed
 
 private:
@@ -50,7 +51,7 @@ private:
     QComboBox *m_class, *m_team, *m_task, *m_start;
     CheckList *m_robots;
     QLineEdit *m_trial;
-    QSpinBox *m_laps;
+    QSpinBox *m_before, *m_laps;
 };
 
 /// The one big button, with what it will do, and how long it has been going on.
@@ -68,6 +69,7 @@ public:
         QString remainingTime; ///< remaining recording time
         QString blocked;       ///< why nothing can be recorded now; empty: it can
         QString gate;          ///< waiting for this one
+        int beforeS = 0;       ///< so much before the start is recorded too
     };
     void setState(const State &state);
 
@@ -80,6 +82,8 @@ Q_SIGNALS:
     void pressed();
 
 private:
+    static QString keyWords(const State &state);
+
     QAction *m_action;
     QPushButton *m_button;
     QLabel *m_clock, *m_words;

@@ -2,11 +2,9 @@
 #include "ui/record/internal/run_recorder.h"
 
 #include "core/base/shortage.h"
-#include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/workflow/job.h"
 #include "core/workflow/record/completed_recordings.h"
-#include "core/workflow/record/live_trial.h"
 #include "ui/models/shown_message.h"
 
 namespace odo {
@@ -22,7 +20,7 @@ struct RunRecorder::Order
     NextRun run;
     std::vector<std::string> cameras;
     std::shared_ptr<CaptureSession> session;
-    Nanoseconds from;
+    RunStart start;
 };
 
 RunRecorder::RunRecorder(std::filesystem::path project, QObject *parent)
@@ -49,7 +47,7 @@ void RunRecorder::awaitThread()
 }
 
 void RunRecorder::begin(const NextRun &run, const std::vector<std::string> &cameras,
-                        std::shared_ptr<CaptureSession> session, Nanoseconds from)
+                        std::shared_ptr<CaptureSession> session, const RunStart &start)
 {
     Q_ASSERT(m_state == State::Idle && session);
     awaitThread();
@@ -58,7 +56,7 @@ void RunRecorder::begin(const NextRun &run, const std::vector<std::string> &came
     m_state = State::Recording;
     const QString trial = QString::fromStdString(run.trial);
     auto thread =
-        startThread(cannotDoThis(), [this, order = Order{run, cameras, std::move(session), from}]() mutable {
+        startThread(cannotDoThis(), [this, order = Order{run, cameras, std::move(session), start}]() mutable {
             work(std::move(order));
         });
     if (thread)
@@ -119,8 +117,8 @@ void RunRecorder::work(Order order)
 Result<std::vector<Message>> RunRecorder::record(const Order &order, Project &project)
 {
     auto trial = ODO_TRY(trialOf(project, order.run));
-    const auto live = ODO_TRY(LiveTrial::begin(project, std::move(trial), order.cameras, *order.session,
-                                               std::max(Nanoseconds{0}, steadyNow() - order.from)));
+    const auto live =
+        ODO_TRY(LiveTrial::begin(project, std::move(trial), order.cameras, *order.session, order.start));
     while (!isEndWanted()) {
         if (const Result<void> stored = live->append(project); !stored)
             report(stored.error());

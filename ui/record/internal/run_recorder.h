@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/workflow/record/line_up.h"
+#include "core/workflow/record/live_trial.h"
 
 #include <QObject>
 #include <QStringList>
@@ -17,7 +18,6 @@
 namespace odo {
 
 class CaptureSession;
-class LiveTrial;
 class Project;
 
 /// Records one trial at a time from cameras that run, for a window: on a thread of its own, which opens the
@@ -33,10 +33,10 @@ public:
     explicit RunRecorder(std::filesystem::path project, QObject *parent = nullptr);
     ~RunRecorder() override;
 
-    /// Not while one goes on. from: by the steady clock, as far back as the session remembers. cameras: the
+    /// Not while one goes on. start: recorded from as far back as the session remembers. cameras: the
     /// name of each view of the session. gaveUp() follows, or, after end(), recorded().
     void begin(const NextRun &run, const std::vector<std::string> &cameras,
-               std::shared_ptr<CaptureSession> session, Nanoseconds from);
+               std::shared_ptr<CaptureSession> session, const RunStart &start);
     void end();
     /// As end(), and waits until the trial is complete in the project: as long as the frames waiting for the
     /// disk take.
