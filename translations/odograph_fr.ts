@@ -16870,7 +16870,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Frames of this time are kept in memory, so a late press loses nothing</source>
-        <translation>Les images de cette durée sont gardées en mémoire : appuyer trop tard ne perd rien</translation>
+        <translation>Les images de cette durée sont gardées en mémoire&#xa0;: appuyer trop tard ne perd rien</translation>
     </message>
     <message>
         <source>Before start</source>
@@ -17658,15 +17658,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>F9 records, with the %1 s before; F9 stops</source>
-        <translation>F9 filme, avec les %1 s d’avant ; F9 arrête</translation>
+        <translation>F9 filme, avec les %1 s d’avant&#xa0;; F9 arrête</translation>
     </message>
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
-        <translation>F9 filme, avec les %1 s d’avant ; F9 arrête ; %2</translation>
+        <translation>F9 filme, avec les %1 s d’avant&#xa0;; F9 arrête&#xa0;; %2</translation>
     </message>
     <message>
         <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>En attente du robot à « %1 ». Il est filmé à partir de %2 s avant</translation>
+        <translation>En attente du robot à «&#xa0;%1&#xa0;». Il est filmé à partir de %2 s avant</translation>
     </message>
 </context>
 <context>
@@ -26985,7 +26985,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.kept_before_start</name>
     <message>
         <source>only the %1 before the start were kept: %2 of this camera need more than %3</source>
-        <translation>seules les %1 avant le départ ont été gardées : %2 de cette caméra demandent plus de %3</translation>
+        <translation>seules les %1 avant le départ ont été gardées&#xa0;: %2 de cette caméra demandent plus de %3</translation>
     </message>
 </context>
 <context>
