@@ -15692,6 +15692,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Give the trial a name</source>
         <translation>Geben Sie dem Versuch einen Namen</translation>
     </message>
+    <message>
+        <source>Register a camera to the floor, or begin at once</source>
+        <translation>Messen Sie eine Kamera auf den Boden ein, oder beginnen Sie sofort</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReferenceCameraPage</name>
@@ -16845,18 +16849,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>kein Team</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>sofort</translation>
-    </message>
-    <message>
-        <source>after a countdown of %1 s</source>
-        <translation>nach einem Countdown von %1 s</translation>
-    </message>
-    <message>
-        <source>when the robot passes the start</source>
-        <translation>wenn der Roboter den Start passiert</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -16875,6 +16867,30 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Before start</source>
         <translation>Vor dem Start</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Endet</translation>
+    </message>
+    <message>
+        <source>At rest for</source>
+        <translation>In Ruhe seit</translation>
+    </message>
+    <message>
+        <source>After start</source>
+        <translation>Nach dem Start</translation>
+    </message>
+    <message>
+        <source>When the recording ends</source>
+        <translation>Wann die Aufnahme endet</translation>
+    </message>
+    <message>
+        <source>Seconds without motion that end the recording</source>
+        <translation>Sekunden ohne Bewegung, nach denen die Aufnahme endet</translation>
+    </message>
+    <message>
+        <source>Seconds after the start that end the recording</source>
+        <translation>Sekunden nach dem Start, nach denen die Aufnahme endet</translation>
     </message>
 </context>
 <context>
@@ -17663,10 +17679,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
         <translation>F9 nimmt auf, auch die %1 s davor; F9 stoppt; %2</translation>
-    </message>
-    <message>
-        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>Warten auf den Roboter an „%1“. Aufgenommen wird ab %2 s davor</translation>
     </message>
 </context>
 <context>
@@ -19513,6 +19525,85 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Trials</source>
         <translation>Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TriggerBox</name>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>nach einem Countdown von %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>wenn der Roboter den Start passiert</translation>
+    </message>
+    <message>
+        <source>when something moves</source>
+        <translation>wenn sich etwas bewegt</translation>
+    </message>
+    <message>
+        <source>with the button</source>
+        <translation>mit der Taste</translation>
+    </message>
+    <message>
+        <source>at the finish</source>
+        <translation>im Ziel</translation>
+    </message>
+    <message>
+        <source>when nothing moves any more</source>
+        <translation>wenn sich nichts mehr bewegt</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>nach einer Zeit</translation>
+    </message>
+    <message>
+        <source>when a robot enters “%1”</source>
+        <translation>wenn ein Roboter „%1“ betritt</translation>
+    </message>
+    <message>
+        <source>when a robot leaves “%1”</source>
+        <translation>wenn ein Roboter „%1“ verlässt</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>Warten auf den Roboter an „%1“. Aufgenommen wird ab %2 s davor</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot enters “%1”. The recording will include the %2 s before</source>
+        <translation>Warten, bis ein Roboter „%1“ betritt. Aufgenommen wird ab %2 s davor</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot leaves “%1”. The recording will include the %2 s before</source>
+        <translation>Warten, bis ein Roboter „%1“ verlässt. Aufgenommen wird ab %2 s davor</translation>
+    </message>
+    <message>
+        <source>Waiting until something moves on the floor. The recording will include the %1 s before</source>
+        <translation>Warten, bis sich auf dem Boden etwas bewegt. Aufgenommen wird ab %1 s davor</translation>
+    </message>
+    <message>
+        <source>Ends at the finish, or with F9</source>
+        <translation>Endet im Ziel oder mit F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot enters “%1”, or with F9</source>
+        <translation>Endet, wenn ein Roboter „%1“ betritt, oder mit F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot leaves “%1”, or with F9</source>
+        <translation>Endet, wenn ein Roboter „%1“ verlässt, oder mit F9</translation>
+    </message>
+    <message>
+        <source>Ends when nothing has moved for %1 s, or with F9</source>
+        <translation>Endet, wenn sich %1 s lang nichts bewegt hat, oder mit F9</translation>
+    </message>
+    <message>
+        <source>Ends %1 s after the start, or with F9</source>
+        <translation>Endet %1 s nach dem Start oder mit F9</translation>
     </message>
 </context>
 <context>
@@ -25736,6 +25827,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.camera_ended_before_start</name>
+    <message>
+        <source>a camera ended before the start</source>
+        <translation>eine Kamera endete vor dem Start</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -26763,6 +26861,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>give %1 the task %2</source>
         <translation>%1 die Aufgabe %2 geben</translation>
     </message>
+    <message>
+        <source>give one, such as --task Circle</source>
+        <translation>geben Sie eine an, etwa --task Circle</translation>
+    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26797,6 +26899,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>wählen Sie eine Sicht oder mehrere</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_zone_of_task</name>
+    <message>
+        <source>give the name of one of its zones</source>
+        <translation>geben Sie den Namen einer ihrer Zonen an</translation>
     </message>
 </context>
 <context>
@@ -27486,6 +27595,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.no_floor_to_watch</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so nothing there starts or ends it</source>
+        <translation>keine ihrer Kameras ist auf den Boden eingemessen, also startet oder beendet dort nichts sie</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_image_series</name>
     <message>
         <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
@@ -27595,6 +27711,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the trial has no such view</source>
         <translation>der Versuch hat keine solche Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_task_for_gate</name>
+    <message>
+        <source>gates and zones are a task&apos;s, and none was given</source>
+        <translation>Tore und Zonen gehören zu einer Aufgabe, und es wurde keine angegeben</translation>
     </message>
 </context>
 <context>
@@ -28305,6 +28428,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.register_or_give_seconds</name>
+    <message>
+        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
+        <translation>rufen Sie odograph register für eine davon auf, oder lassen Sie --start-on und --stop-on weg</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_through_it_again</name>
     <message>
         <source>register it via that camera again</source>
@@ -28718,6 +28848,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.start_otherwise</name>
+    <message>
+        <source>start it in another manner, such as by motion</source>
+        <translation>starten Sie sie anders, etwa durch Bewegung</translation>
+    </message>
+</context>
+<context>
     <name>workflow.stopped_before_first_frame</name>
     <message>
         <source>it was stopped before the first frame came</source>
@@ -28785,6 +28922,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
         <translation>die Aufgabe &apos;%1&apos; hat weder eine Bahn noch Tore, an denen sich fahren lässt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_start</name>
+    <message>
+        <source>task &apos;%1&apos; has no start gate</source>
+        <translation>Aufgabe „%1“ hat kein Starttor</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_zone</name>
+    <message>
+        <source>task &apos;%1&apos; has no zone &apos;%2&apos;</source>
+        <translation>Aufgabe „%1“ hat keine Zone „%2“</translation>
     </message>
 </context>
 <context>
@@ -29149,6 +29300,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>Bilder warteten bis zu %1 auf die Platte, keines ging verloren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waiting_for_start</name>
+    <message>
+        <source>waiting for the start</source>
+        <translation>Warten auf den Start</translation>
     </message>
 </context>
 <context>

@@ -15692,6 +15692,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Give the trial a name</source>
         <translation>Dé un nombre al ensayo</translation>
     </message>
+    <message>
+        <source>Register a camera to the floor, or begin at once</source>
+        <translation>Registre una cámara con el suelo, o empiece al momento</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReferenceCameraPage</name>
@@ -16845,18 +16849,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>sin equipo</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>al momento</translation>
-    </message>
-    <message>
-        <source>after a countdown of %1 s</source>
-        <translation>tras una cuenta regresiva de %1 s</translation>
-    </message>
-    <message>
-        <source>when the robot passes the start</source>
-        <translation>cuando el robot pasa la salida</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -16875,6 +16867,30 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Before start</source>
         <translation>Antes del inicio</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Termina</translation>
+    </message>
+    <message>
+        <source>At rest for</source>
+        <translation>En reposo</translation>
+    </message>
+    <message>
+        <source>After start</source>
+        <translation>Tras el inicio</translation>
+    </message>
+    <message>
+        <source>When the recording ends</source>
+        <translation>Cuándo termina la grabación</translation>
+    </message>
+    <message>
+        <source>Seconds without motion that end the recording</source>
+        <translation>Segundos sin movimiento que terminan la grabación</translation>
+    </message>
+    <message>
+        <source>Seconds after the start that end the recording</source>
+        <translation>Segundos tras el inicio que terminan la grabación</translation>
     </message>
 </context>
 <context>
@@ -17663,10 +17679,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
         <translation>F9 graba, también los %1 s anteriores; F9 detiene; %2</translation>
-    </message>
-    <message>
-        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>Esperando al robot en “%1”. Se graba desde %2 s antes</translation>
     </message>
 </context>
 <context>
@@ -19513,6 +19525,85 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Trials</source>
         <translation>Ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TriggerBox</name>
+    <message>
+        <source>at once</source>
+        <translation>al momento</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>tras una cuenta regresiva de %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>cuando el robot pasa la salida</translation>
+    </message>
+    <message>
+        <source>when something moves</source>
+        <translation>cuando algo se mueve</translation>
+    </message>
+    <message>
+        <source>with the button</source>
+        <translation>con el botón</translation>
+    </message>
+    <message>
+        <source>at the finish</source>
+        <translation>en la meta</translation>
+    </message>
+    <message>
+        <source>when nothing moves any more</source>
+        <translation>cuando ya nada se mueve</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>tras un tiempo</translation>
+    </message>
+    <message>
+        <source>when a robot enters “%1”</source>
+        <translation>cuando un robot entra en “%1”</translation>
+    </message>
+    <message>
+        <source>when a robot leaves “%1”</source>
+        <translation>cuando un robot sale de “%1”</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>Esperando al robot en “%1”. Se graba desde %2 s antes</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot enters “%1”. The recording will include the %2 s before</source>
+        <translation>Esperando a que un robot entre en “%1”. Se graba desde %2 s antes</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot leaves “%1”. The recording will include the %2 s before</source>
+        <translation>Esperando a que un robot salga de “%1”. Se graba desde %2 s antes</translation>
+    </message>
+    <message>
+        <source>Waiting until something moves on the floor. The recording will include the %1 s before</source>
+        <translation>Esperando a que algo se mueva en el suelo. Se graba desde %1 s antes</translation>
+    </message>
+    <message>
+        <source>Ends at the finish, or with F9</source>
+        <translation>Termina en la meta o con F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot enters “%1”, or with F9</source>
+        <translation>Termina cuando un robot entra en “%1”, o con F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot leaves “%1”, or with F9</source>
+        <translation>Termina cuando un robot sale de “%1”, o con F9</translation>
+    </message>
+    <message>
+        <source>Ends when nothing has moved for %1 s, or with F9</source>
+        <translation>Termina cuando nada se ha movido durante %1 s, o con F9</translation>
+    </message>
+    <message>
+        <source>Ends %1 s after the start, or with F9</source>
+        <translation>Termina %1 s después del inicio, o con F9</translation>
     </message>
 </context>
 <context>
@@ -25736,6 +25827,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.camera_ended_before_start</name>
+    <message>
+        <source>a camera ended before the start</source>
+        <translation>una cámara terminó antes del inicio</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -26763,6 +26861,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>give %1 the task %2</source>
         <translation>dar a %1 la tarea %2</translation>
     </message>
+    <message>
+        <source>give one, such as --task Circle</source>
+        <translation>dé una, como --task Circle</translation>
+    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26797,6 +26899,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>elija una vista o más</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_zone_of_task</name>
+    <message>
+        <source>give the name of one of its zones</source>
+        <translation>dé el nombre de una de sus zonas</translation>
     </message>
 </context>
 <context>
@@ -27486,6 +27595,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.no_floor_to_watch</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so nothing there starts or ends it</source>
+        <translation>ninguna de sus cámaras está registrada con el suelo, así que nada allí la inicia ni la termina</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_image_series</name>
     <message>
         <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
@@ -27595,6 +27711,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the trial has no such view</source>
         <translation>el ensayo no tiene esa vista</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_task_for_gate</name>
+    <message>
+        <source>gates and zones are a task&apos;s, and none was given</source>
+        <translation>las puertas y zonas pertenecen a una tarea, y no se dio ninguna</translation>
     </message>
 </context>
 <context>
@@ -28305,6 +28428,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.register_or_give_seconds</name>
+    <message>
+        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
+        <translation>ejecute odograph register para una de ellas, o quite --start-on y --stop-on</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_through_it_again</name>
     <message>
         <source>register it via that camera again</source>
@@ -28718,6 +28848,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.start_otherwise</name>
+    <message>
+        <source>start it in another manner, such as by motion</source>
+        <translation>iníciela de otro modo, por ejemplo por movimiento</translation>
+    </message>
+</context>
+<context>
     <name>workflow.stopped_before_first_frame</name>
     <message>
         <source>it was stopped before the first frame came</source>
@@ -28785,6 +28922,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
         <translation>la tarea &apos;%1&apos; no tiene trayectoria ni puertas que recorrer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_start</name>
+    <message>
+        <source>task &apos;%1&apos; has no start gate</source>
+        <translation>la tarea «%1» no tiene puerta de salida</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_zone</name>
+    <message>
+        <source>task &apos;%1&apos; has no zone &apos;%2&apos;</source>
+        <translation>la tarea «%1» no tiene la zona «%2»</translation>
     </message>
 </context>
 <context>
@@ -29149,6 +29300,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>las imágenes esperaron hasta %1 al disco y ninguna se perdió</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waiting_for_start</name>
+    <message>
+        <source>waiting for the start</source>
+        <translation>esperando el inicio</translation>
     </message>
 </context>
 <context>

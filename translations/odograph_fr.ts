@@ -15692,6 +15692,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Give the trial a name</source>
         <translation>Donnez un nom à l’essai</translation>
     </message>
+    <message>
+        <source>Register a camera to the floor, or begin at once</source>
+        <translation>Localisez une caméra par rapport au sol, ou commencez tout de suite</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReferenceCameraPage</name>
@@ -16845,18 +16849,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>aucune équipe</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>aussitôt</translation>
-    </message>
-    <message>
-        <source>after a countdown of %1 s</source>
-        <translation>après un compte à rebours de %1 s</translation>
-    </message>
-    <message>
-        <source>when the robot passes the start</source>
-        <translation>quand le robot franchit le départ</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -16875,6 +16867,30 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Before start</source>
         <translation>Avant le départ</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>At rest for</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>After start</source>
+        <translation>Après le départ</translation>
+    </message>
+    <message>
+        <source>When the recording ends</source>
+        <translation>Quand l’enregistrement se termine</translation>
+    </message>
+    <message>
+        <source>Seconds without motion that end the recording</source>
+        <translation>Secondes sans mouvement qui terminent l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Seconds after the start that end the recording</source>
+        <translation>Secondes après le départ qui terminent l’enregistrement</translation>
     </message>
 </context>
 <context>
@@ -17663,10 +17679,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
         <translation>F9 filme, avec les %1 s d’avant&#xa0;; F9 arrête&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>En attente du robot à «&#xa0;%1&#xa0;». Il est filmé à partir de %2 s avant</translation>
     </message>
 </context>
 <context>
@@ -19513,6 +19525,85 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Trials</source>
         <translation>Essais</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TriggerBox</name>
+    <message>
+        <source>at once</source>
+        <translation>aussitôt</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>après un compte à rebours de %1 s</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>quand le robot franchit le départ</translation>
+    </message>
+    <message>
+        <source>when something moves</source>
+        <translation>quand quelque chose bouge</translation>
+    </message>
+    <message>
+        <source>with the button</source>
+        <translation>avec le bouton</translation>
+    </message>
+    <message>
+        <source>at the finish</source>
+        <translation>à l’arrivée</translation>
+    </message>
+    <message>
+        <source>when nothing moves any more</source>
+        <translation>quand plus rien ne bouge</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>après un temps</translation>
+    </message>
+    <message>
+        <source>when a robot enters “%1”</source>
+        <translation>quand un robot entre dans «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>when a robot leaves “%1”</source>
+        <translation>quand un robot quitte «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>En attente du robot à «&#xa0;%1&#xa0;». Il est filmé à partir de %2 s avant</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot enters “%1”. The recording will include the %2 s before</source>
+        <translation>En attente qu’un robot entre dans «&#xa0;%1&#xa0;». Il est filmé à partir de %2 s avant</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot leaves “%1”. The recording will include the %2 s before</source>
+        <translation>En attente qu’un robot quitte «&#xa0;%1&#xa0;». Il est filmé à partir de %2 s avant</translation>
+    </message>
+    <message>
+        <source>Waiting until something moves on the floor. The recording will include the %1 s before</source>
+        <translation>En attente que quelque chose bouge sur le sol. Enregistrement à partir de %1 s avant</translation>
+    </message>
+    <message>
+        <source>Ends at the finish, or with F9</source>
+        <translation>Se termine à l’arrivée, ou avec F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot enters “%1”, or with F9</source>
+        <translation>Se termine quand un robot entre dans «&#xa0;%1&#xa0;», ou avec F9</translation>
+    </message>
+    <message>
+        <source>Ends when a robot leaves “%1”, or with F9</source>
+        <translation>Se termine quand un robot quitte «&#xa0;%1&#xa0;», ou avec F9</translation>
+    </message>
+    <message>
+        <source>Ends when nothing has moved for %1 s, or with F9</source>
+        <translation>Se termine quand rien n’a bougé pendant %1 s, ou avec F9</translation>
+    </message>
+    <message>
+        <source>Ends %1 s after the start, or with F9</source>
+        <translation>Se termine %1 s après le départ, ou avec F9</translation>
     </message>
 </context>
 <context>
@@ -25736,6 +25827,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera_ended_before_start</name>
+    <message>
+        <source>a camera ended before the start</source>
+        <translation>une caméra s’est arrêtée avant le départ</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -26763,6 +26861,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>give %1 the task %2</source>
         <translation>épreuve %2 donnée à %1</translation>
     </message>
+    <message>
+        <source>give one, such as --task Circle</source>
+        <translation>donnez-en une, comme --task Circle</translation>
+    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26797,6 +26899,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>choisissez une vue ou plusieurs</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_zone_of_task</name>
+    <message>
+        <source>give the name of one of its zones</source>
+        <translation>donnez le nom de l’une de ses zones</translation>
     </message>
 </context>
 <context>
@@ -27486,6 +27595,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.no_floor_to_watch</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so nothing there starts or ends it</source>
+        <translation>aucune de ses caméras n’est localisée par rapport au sol, donc rien n’y déclenche ni n’arrête l’enregistrement</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_image_series</name>
     <message>
         <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
@@ -27595,6 +27711,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the trial has no such view</source>
         <translation>l’essai n’a pas cette vue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_task_for_gate</name>
+    <message>
+        <source>gates and zones are a task&apos;s, and none was given</source>
+        <translation>les portes et zones appartiennent à une tâche, et aucune n’a été donnée</translation>
     </message>
 </context>
 <context>
@@ -28305,6 +28428,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.register_or_give_seconds</name>
+    <message>
+        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
+        <translation>lancez odograph register pour l’une d’elles, ou omettez --start-on et --stop-on</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_through_it_again</name>
     <message>
         <source>register it via that camera again</source>
@@ -28718,6 +28848,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.start_otherwise</name>
+    <message>
+        <source>start it in another manner, such as by motion</source>
+        <translation>démarrez-le autrement, par exemple par mouvement</translation>
+    </message>
+</context>
+<context>
     <name>workflow.stopped_before_first_frame</name>
     <message>
         <source>it was stopped before the first frame came</source>
@@ -28785,6 +28922,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
         <translation>l’épreuve &apos;%1&apos; n’a ni trajectoire ni portes à suivre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_start</name>
+    <message>
+        <source>task &apos;%1&apos; has no start gate</source>
+        <translation>la tâche «&#xa0;%1&#xa0;» n’a pas de porte de départ</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_zone</name>
+    <message>
+        <source>task &apos;%1&apos; has no zone &apos;%2&apos;</source>
+        <translation>la tâche «&#xa0;%1&#xa0;» n’a pas de zone «&#xa0;%2&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -29149,6 +29300,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>des images ont attendu le disque jusqu’à %1, aucune n’a été perdue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waiting_for_start</name>
+    <message>
+        <source>waiting for the start</source>
+        <translation>en attente du départ</translation>
     </message>
 </context>
 <context>

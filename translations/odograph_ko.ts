@@ -15644,6 +15644,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Give the trial a name</source>
         <translation>시행의 이름을 지정하십시오</translation>
     </message>
+    <message>
+        <source>Register a camera to the floor, or begin at once</source>
+        <translation>카메라를 바닥에 정합하거나 즉시 시작하십시오</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReferenceCameraPage</name>
@@ -16789,18 +16793,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>팀 없음</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>바로</translation>
-    </message>
-    <message>
-        <source>after a countdown of %1 s</source>
-        <translation>카운트다운 %1초 뒤</translation>
-    </message>
-    <message>
-        <source>when the robot passes the start</source>
-        <translation>로봇이 출발을 지날 때</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -16819,6 +16811,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Before start</source>
         <translation>시작 전</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>종료</translation>
+    </message>
+    <message>
+        <source>At rest for</source>
+        <translation>정지 시간</translation>
+    </message>
+    <message>
+        <source>After start</source>
+        <translation>시작 후</translation>
+    </message>
+    <message>
+        <source>When the recording ends</source>
+        <translation>녹화가 끝나는 때</translation>
+    </message>
+    <message>
+        <source>Seconds without motion that end the recording</source>
+        <translation>녹화를 끝내는 움직임 없는 초</translation>
+    </message>
+    <message>
+        <source>Seconds after the start that end the recording</source>
+        <translation>녹화를 끝내는 시작 후 초</translation>
     </message>
 </context>
 <context>
@@ -17604,10 +17620,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
         <translation>F9로 녹화(이전 %1 s 포함), F9로 정지; %2</translation>
-    </message>
-    <message>
-        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>“%1”에서 로봇을 기다리는 중입니다. 그 %2 s 전부터 녹화합니다</translation>
     </message>
 </context>
 <context>
@@ -19435,6 +19447,85 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trials</source>
         <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TriggerBox</name>
+    <message>
+        <source>at once</source>
+        <translation>바로</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>카운트다운 %1초 뒤</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>로봇이 출발을 지날 때</translation>
+    </message>
+    <message>
+        <source>when something moves</source>
+        <translation>무언가 움직이면</translation>
+    </message>
+    <message>
+        <source>with the button</source>
+        <translation>버튼으로</translation>
+    </message>
+    <message>
+        <source>at the finish</source>
+        <translation>결승점에서</translation>
+    </message>
+    <message>
+        <source>when nothing moves any more</source>
+        <translation>아무것도 움직이지 않으면</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>일정 시간 후</translation>
+    </message>
+    <message>
+        <source>when a robot enters “%1”</source>
+        <translation>로봇이 “%1”에 들어가면</translation>
+    </message>
+    <message>
+        <source>when a robot leaves “%1”</source>
+        <translation>로봇이 “%1”에서 나가면</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>“%1”에서 로봇을 기다리는 중입니다. 그 %2 s 전부터 녹화합니다</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot enters “%1”. The recording will include the %2 s before</source>
+        <translation>로봇이 “%1”에 들어가기를 기다리는 중입니다. 그 %2 s 전부터 녹화합니다</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot leaves “%1”. The recording will include the %2 s before</source>
+        <translation>로봇이 “%1”에서 나가기를 기다리는 중입니다. 그 %2 s 전부터 녹화합니다</translation>
+    </message>
+    <message>
+        <source>Waiting until something moves on the floor. The recording will include the %1 s before</source>
+        <translation>바닥에서 무언가 움직이기를 기다리는 중입니다. 그 %1 s 전부터 녹화합니다</translation>
+    </message>
+    <message>
+        <source>Ends at the finish, or with F9</source>
+        <translation>결승점에서 또는 F9로 끝납니다</translation>
+    </message>
+    <message>
+        <source>Ends when a robot enters “%1”, or with F9</source>
+        <translation>로봇이 “%1”에 들어가거나 F9를 누르면 끝납니다</translation>
+    </message>
+    <message>
+        <source>Ends when a robot leaves “%1”, or with F9</source>
+        <translation>로봇이 “%1”에서 나가거나 F9를 누르면 끝납니다</translation>
+    </message>
+    <message>
+        <source>Ends when nothing has moved for %1 s, or with F9</source>
+        <translation>%1 s 동안 움직임이 없거나 F9를 누르면 끝납니다</translation>
+    </message>
+    <message>
+        <source>Ends %1 s after the start, or with F9</source>
+        <translation>시작 %1 s 후 또는 F9로 끝납니다</translation>
     </message>
 </context>
 <context>
@@ -25657,6 +25748,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_ended_before_start</name>
+    <message>
+        <source>a camera ended before the start</source>
+        <translation>시작 전에 카메라가 끝났습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -26684,6 +26782,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>give %1 the task %2</source>
         <translation>%1에 과제 %2 지정</translation>
     </message>
+    <message>
+        <source>give one, such as --task Circle</source>
+        <translation>--task Circle처럼 하나를 주십시오</translation>
+    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26718,6 +26820,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>뷰를 하나 이상 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_zone_of_task</name>
+    <message>
+        <source>give the name of one of its zones</source>
+        <translation>그 구역 중 하나의 이름을 주십시오</translation>
     </message>
 </context>
 <context>
@@ -27407,6 +27516,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_floor_to_watch</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so nothing there starts or ends it</source>
+        <translation>카메라가 하나도 바닥에 정합되지 않아 바닥의 움직임으로 시작하거나 끝낼 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_image_series</name>
     <message>
         <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
@@ -27516,6 +27632,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the trial has no such view</source>
         <translation>시행에 그런 뷰가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_task_for_gate</name>
+    <message>
+        <source>gates and zones are a task&apos;s, and none was given</source>
+        <translation>게이트와 구역은 과제에 속하는데 과제가 주어지지 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -28226,6 +28349,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_or_give_seconds</name>
+    <message>
+        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
+        <translation>그중 하나에 odograph register를 실행하거나 --start-on과 --stop-on을 빼십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_through_it_again</name>
     <message>
         <source>register it via that camera again</source>
@@ -28639,6 +28769,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.start_otherwise</name>
+    <message>
+        <source>start it in another manner, such as by motion</source>
+        <translation>움직임 등 다른 방법으로 시작하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.stopped_before_first_frame</name>
     <message>
         <source>it was stopped before the first frame came</source>
@@ -28706,6 +28843,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
         <translation>과제 &apos;%1&apos;에는 따라갈 경로도 게이트도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_start</name>
+    <message>
+        <source>task &apos;%1&apos; has no start gate</source>
+        <translation>과제 &apos;%1&apos;에 출발 게이트가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_zone</name>
+    <message>
+        <source>task &apos;%1&apos; has no zone &apos;%2&apos;</source>
+        <translation>과제 &apos;%1&apos;에 구역 &apos;%2&apos;이(가) 없습니다</translation>
     </message>
 </context>
 <context>
@@ -29070,6 +29221,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>영상이 디스크를 최대 %1 기다렸으나 누락은 없음</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waiting_for_start</name>
+    <message>
+        <source>waiting for the start</source>
+        <translation>시작을 기다리는 중</translation>
     </message>
 </context>
 <context>

@@ -15644,6 +15644,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Give the trial a name</source>
         <translation>请给试验取一个名称</translation>
     </message>
+    <message>
+        <source>Register a camera to the floor, or begin at once</source>
+        <translation>请将相机与地面配准，或立即开始</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReferenceCameraPage</name>
@@ -16789,18 +16793,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>无小组</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>立即</translation>
-    </message>
-    <message>
-        <source>after a countdown of %1 s</source>
-        <translation>%1 s 倒计时后</translation>
-    </message>
-    <message>
-        <source>when the robot passes the start</source>
-        <translation>机器人通过起点时</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -16819,6 +16811,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Before start</source>
         <translation>开始前</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>At rest for</source>
+        <translation>静止时长</translation>
+    </message>
+    <message>
+        <source>After start</source>
+        <translation>开始后</translation>
+    </message>
+    <message>
+        <source>When the recording ends</source>
+        <translation>录像何时结束</translation>
+    </message>
+    <message>
+        <source>Seconds without motion that end the recording</source>
+        <translation>结束录像所需的静止秒数</translation>
+    </message>
+    <message>
+        <source>Seconds after the start that end the recording</source>
+        <translation>开始后多少秒结束录像</translation>
     </message>
 </context>
 <context>
@@ -17604,10 +17620,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>F9 records, with the %1 s before; F9 stops; %2</source>
         <translation>F9 开始录制，包括之前的 %1 s；F9 停止；%2</translation>
-    </message>
-    <message>
-        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
-        <translation>正在等待机器人到达“%1”。录像从此前 %2 s 开始</translation>
     </message>
 </context>
 <context>
@@ -19435,6 +19447,85 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trials</source>
         <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TriggerBox</name>
+    <message>
+        <source>at once</source>
+        <translation>立即</translation>
+    </message>
+    <message>
+        <source>after a countdown of %1 s</source>
+        <translation>%1 s 倒计时后</translation>
+    </message>
+    <message>
+        <source>when the robot passes the start</source>
+        <translation>机器人通过起点时</translation>
+    </message>
+    <message>
+        <source>when something moves</source>
+        <translation>有物体移动时</translation>
+    </message>
+    <message>
+        <source>with the button</source>
+        <translation>按按钮时</translation>
+    </message>
+    <message>
+        <source>at the finish</source>
+        <translation>到达终点时</translation>
+    </message>
+    <message>
+        <source>when nothing moves any more</source>
+        <translation>不再有物体移动时</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>经过一段时间后</translation>
+    </message>
+    <message>
+        <source>when a robot enters “%1”</source>
+        <translation>机器人进入“%1”时</translation>
+    </message>
+    <message>
+        <source>when a robot leaves “%1”</source>
+        <translation>机器人离开“%1”时</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot at “%1”. The recording will include the %2 s before it</source>
+        <translation>正在等待机器人到达“%1”。录像从此前 %2 s 开始</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot enters “%1”. The recording will include the %2 s before</source>
+        <translation>正在等待机器人进入“%1”。录像从此前 %2 s 开始</translation>
+    </message>
+    <message>
+        <source>Waiting until a robot leaves “%1”. The recording will include the %2 s before</source>
+        <translation>正在等待机器人离开“%1”。录像从此前 %2 s 开始</translation>
+    </message>
+    <message>
+        <source>Waiting until something moves on the floor. The recording will include the %1 s before</source>
+        <translation>正在等待地面上有物体移动。录像从此前 %1 s 开始</translation>
+    </message>
+    <message>
+        <source>Ends at the finish, or with F9</source>
+        <translation>到达终点或按 F9 时结束</translation>
+    </message>
+    <message>
+        <source>Ends when a robot enters “%1”, or with F9</source>
+        <translation>机器人进入“%1”或按 F9 时结束</translation>
+    </message>
+    <message>
+        <source>Ends when a robot leaves “%1”, or with F9</source>
+        <translation>机器人离开“%1”或按 F9 时结束</translation>
+    </message>
+    <message>
+        <source>Ends when nothing has moved for %1 s, or with F9</source>
+        <translation>%1 s 内没有移动或按 F9 时结束</translation>
+    </message>
+    <message>
+        <source>Ends %1 s after the start, or with F9</source>
+        <translation>开始后 %1 s 或按 F9 时结束</translation>
     </message>
 </context>
 <context>
@@ -25657,6 +25748,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_ended_before_start</name>
+    <message>
+        <source>a camera ended before the start</source>
+        <translation>一台相机在开始前结束</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -26684,6 +26782,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>give %1 the task %2</source>
         <translation>将任务 %2 赋予 %1</translation>
     </message>
+    <message>
+        <source>give one, such as --task Circle</source>
+        <translation>请给出任务，例如 --task Circle</translation>
+    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26718,6 +26820,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>请选择一个或多个视角</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_zone_of_task</name>
+    <message>
+        <source>give the name of one of its zones</source>
+        <translation>请给出其某个区域的名称</translation>
     </message>
 </context>
 <context>
@@ -27407,6 +27516,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_floor_to_watch</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so nothing there starts or ends it</source>
+        <translation>没有相机与地面配准，因此地面上的动作无法使其开始或结束</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_image_series</name>
     <message>
         <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
@@ -27516,6 +27632,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the trial has no such view</source>
         <translation>该试验没有这个视角</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_task_for_gate</name>
+    <message>
+        <source>gates and zones are a task&apos;s, and none was given</source>
+        <translation>门和区域属于任务，而未给出任务</translation>
     </message>
 </context>
 <context>
@@ -28226,6 +28349,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_or_give_seconds</name>
+    <message>
+        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
+        <translation>请对其中之一运行 odograph register，或去掉 --start-on 和 --stop-on</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_through_it_again</name>
     <message>
         <source>register it via that camera again</source>
@@ -28639,6 +28769,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.start_otherwise</name>
+    <message>
+        <source>start it in another manner, such as by motion</source>
+        <translation>请以其他方式开始，例如通过移动</translation>
+    </message>
+</context>
+<context>
     <name>workflow.stopped_before_first_frame</name>
     <message>
         <source>it was stopped before the first frame came</source>
@@ -28706,6 +28843,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
         <translation>任务“%1”既没有路径也没有可通过的门</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_start</name>
+    <message>
+        <source>task &apos;%1&apos; has no start gate</source>
+        <translation>任务“%1”没有起点门</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_zone</name>
+    <message>
+        <source>task &apos;%1&apos; has no zone &apos;%2&apos;</source>
+        <translation>任务“%1”没有区域“%2”</translation>
     </message>
 </context>
 <context>
@@ -29070,6 +29221,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>图像等待磁盘最长 %1，没有丢失</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waiting_for_start</name>
+    <message>
+        <source>waiting for the start</source>
+        <translation>正在等待开始</translation>
     </message>
 </context>
 <context>

@@ -127,6 +127,15 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "at most 86,400 (a day)");
     row("record %/p.odo --trial x --camera A=sim:A --pre-roll 31", 2,
         "--pre-roll is a number of seconds from 0 to 30");
+    row("record %/p.odo --trial x --camera A=sim:A --start-on noise", 2,
+        "--start-on is motion, gate, zone:NAME (entered) or leave:NAME");
+    row("record %/p.odo --trial x --camera A=sim:A --stop-on zone:", 2,
+        "--stop-on is motion, motion:SECONDS");
+    row("record %/p.odo --trial x --camera A=sim:A --stop-on 5 --seconds 5", 2, "give one of them");
+    row("record %/p.odo --trial x --camera A=sim:A --start-on gate", 1, "gates and zones are a task's");
+    row("record %/p.odo --trial x --camera A=sim:A --start-on gate --task none", 1, "none");
+    row("record %/p.odo --trial x --camera A=sim:A --start-on motion", 1,
+        "none of its cameras is registered to the floor");
     row("record %/p.odo --trial x --camera A=sim:Z", 1, "simulated camera Z does not exist");
     row("record %/p.odo --trial x --camera A=usb:0", 1, "no kind of camera has an address like this");
     row("record %/p.odo --trial x --camera A=sim:A --camera B=sim:A", 1, "was given twice");

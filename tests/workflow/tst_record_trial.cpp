@@ -11,6 +11,7 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <numbers>
 
 using namespace odo;
 using namespace odo::test;
@@ -106,30 +107,7 @@ private Q_SLOTS:
     /// The simulated robot's place while it is recorded, by a packet of the network: on its circle.
     void livePositionsAreSent()
     {
-        const SimulatedScene testbed = demoTestbed(1);
-        const RecordId layout = m_project->layouts().add(testbed.floor.markers)->id;
-        for (const SimulatedCamera &camera : testbed.cameras) {
-            RegistrationRecord record;
-            record.layout = layout;
-            record.assumedIntrinsics = camera.view.camera().intrinsics();
-            for (const Marker &marker : testbed.floor.markers.markers)
-                record.pixels.push_back(
-                    {marker.label,
-                     *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
-            record.registration =
-                *registerFloor(testbed.floor.markers, record.pixels, camera.view.camera(), true);
-            QVERIFY(storeRegistration(*m_project, camera.name, record));
-        }
-        for (const DemoTrial &trial : demoTrials()) {
-            if (trial.trial != "circle")
-                continue;
-            RobotRecord robot;
-            robot.name = "driver";
-            robot.colour = trial.scene.robots.front().colour;
-            robot.heightMode = RobotRecord::Height::Given;
-            robot.heightM = trial.scene.robots.front().heightM;
-            QVERIFY(m_project->robots().add(robot));
-        }
+        addTestbed();
         const DatagramReceiver receiver(true);
         RecordSettings settings{
             .trial = "run", .cameras = {{"A", "sim:A"}, {"B", "sim:B"}}, .seconds = 2, .robots = {"driver"}};
@@ -146,6 +124,90 @@ private Q_SLOTS:
         // Some millimetres of the centre, some of a filter that has just begun.
         QVERIFY2(std::abs(fromMiddle.norm() - 750) < 40, qPrintable(QString::number(fromMiddle.norm())));
     }
+
+    /// It circles all the time, so motion starts a run at once; and a second later it ends.
+    void motionStartsARun()
+    {
+        addTestbed();
+        const RecordSettings settings{.trial = "run",
+                                      .cameras = {{"A", "sim:A"}, {"B", "sim:B"}},
+                                      .seconds = 1,
+                                      .robots = {},
+                                      .start = RunTrigger{RunTrigger::Kind::Motion},
+                                      .stop = RunTrigger{RunTrigger::Kind::Motion, {}, usualRest}};
+        const auto recorded = recordTrial(*m_project, settings, {});
+        QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
+        const TrialRecord trial = (*recorded)->trial();
+        // The second before, as far as the cameras ran already, and the one after it.
+        QVERIFY2(trial.durationS > 1.2 && trial.durationS < 3, qPrintable(QString::number(trial.durationS)));
+        QVERIFY(trial.variables.contains(startVariable));
+    }
+
+    /// The left half of the circle: the robot leaves and enters it once in each round of 4.3 s.
+    void aZoneStartsAndEndsARun()
+    {
+        addTestbed();
+        TaskRecord task;
+        task.name = "Halves";
+        task.task.zones = {rectangularZone("Left", ZoneRule::StayInside, {0.5, 0.1}, {1.5, 2.1})};
+        QVERIFY(m_project->tasks().add(task));
+        RecordSettings settings{.trial = "run",
+                                .cameras = {{"A", "sim:A"}, {"B", "sim:B"}},
+                                .seconds = 20,
+                                .preRollS = 0.5,
+                                .robots = {"driver"},
+                                .task = "Halves",
+                                .start = RunTrigger{RunTrigger::Kind::Exit, "Left"},
+                                .stop = RunTrigger{RunTrigger::Kind::Entry, "Left"}};
+        const auto recorded = recordTrial(*m_project, settings, {});
+        QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
+        const TrialRecord trial = (*recorded)->trial();
+        QCOMPARE(trial.task, std::string("Halves"));
+        // A second before, half a round at 1.1 m/s, and a second after; the rest is the checks' interval and
+        // a busy machine's.
+        const double half = std::numbers::pi * 0.75 / 1.1;
+        QVERIFY2(std::abs(trial.durationS - (1 + half + 1)) < 0.7,
+                 qPrintable(QString::number(trial.durationS)));
+        const double startS = std::stod(trial.variables.at(startVariable));
+        QVERIFY2(startS > 0.8 && startS < 1.1, qPrintable(QString::number(startS)));
+
+        settings.trial = "other";
+        settings.start->zone = "Right";
+        const auto refused = recordTrial(*m_project, settings, {});
+        QVERIFY(!refused);
+        QCOMPARE(
+            refused.error().message(),
+            std::string("recording of trial 'other': task 'Halves' has no zone 'Right'; give the name of "
+                        "one of its zones"));
+        settings.start = RunTrigger{RunTrigger::Kind::Gate};
+        QCOMPARE(recordTrial(*m_project, settings, {}).error().why.english(),
+                 std::string("task 'Halves' has no start gate"));
+    }
+
+    /// Nothing ever passes; whoever stops waiting leaves nothing behind.
+    void waitingIsCancelled()
+    {
+        addTestbed();
+        TaskRecord task;
+        task.name = "Far";
+        task.task.zones = {rectangularZone("Far", ZoneRule::StayInside, {8, 8}, {9, 9})};
+        QVERIFY(m_project->tasks().add(task));
+        const RecordSettings settings{.trial = "run",
+                                      .cameras = {{"A", "sim:A"}},
+                                      .robots = {"driver"},
+                                      .task = "Far",
+                                      .start = RunTrigger{RunTrigger::Kind::Entry, "Far"}};
+        JobControl control;
+        control.progress = [&](double, const Message &text) {
+            if (text.english() == "waiting for the start")
+                control.cancel.cancel();
+        };
+        const auto recorded = recordTrial(*m_project, settings, control);
+        QVERIFY(!recorded);
+        QCOMPARE(recorded.error().code, ErrorCode::Cancelled);
+        QVERIFY(m_project->trials().all()->empty());
+    }
+
     void nothingIsSentWithoutARegistration()
     {
         RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}}, .seconds = 1, .robots = {}};
@@ -188,6 +250,35 @@ private Q_SLOTS:
     }
 
 private:
+    /// Registers both simulated cameras by the true markers, and adds the robot that circles before them.
+    void addTestbed()
+    {
+        const SimulatedScene testbed = demoTestbed(1);
+        const RecordId layout = m_project->layouts().add(testbed.floor.markers)->id;
+        for (const SimulatedCamera &camera : testbed.cameras) {
+            RegistrationRecord record;
+            record.layout = layout;
+            record.assumedIntrinsics = camera.view.camera().intrinsics();
+            for (const Marker &marker : testbed.floor.markers.markers)
+                record.pixels.push_back(
+                    {marker.label,
+                     *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+            record.registration =
+                *registerFloor(testbed.floor.markers, record.pixels, camera.view.camera(), true);
+            QVERIFY(storeRegistration(*m_project, camera.name, record));
+        }
+        for (const DemoTrial &trial : demoTrials()) {
+            if (trial.trial != "circle")
+                continue;
+            RobotRecord robot;
+            robot.name = "driver";
+            robot.colour = trial.scene.robots.front().colour;
+            robot.heightMode = RobotRecord::Height::Given;
+            robot.heightM = trial.scene.robots.front().heightM;
+            QVERIFY(m_project->robots().add(robot));
+        }
+    }
+
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
 };

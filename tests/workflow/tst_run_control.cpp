@@ -54,6 +54,12 @@ private Q_SLOTS:
     void lapsAreCounted();
     void allWhoStartedMustFinish();
     void withoutGatesAPressDoes();
+    void theEdgeOfAZoneStartsAndEnds();
+    void noiseAtAnEdgeIsNoCrossing();
+    void motionStartsAndRestEnds();
+    void aPressWaitsForMotionBeforeItsRestEnds();
+    void aTimeEnds();
+    void aTriggerThatTheTaskLacksHasNoEffect();
     void aRunThatNobodyEndsEnds();
 
 private:
@@ -61,6 +67,18 @@ private:
     RunControl control()
     {
         return RunControl([this] { return m_now; });
+    }
+    /// Gives the floor's sights of a camera of 30 frames a second for so long; gives the first order.
+    std::optional<RunOrder> look(RunControl &control, Nanoseconds length, bool moves)
+    {
+        for (const Nanoseconds until = m_now + length; m_now < until;) {
+            m_now += fromSeconds(1 / 30.0);
+            if (const auto order = control.floorAt({m_now, moves}))
+                return order;
+            if (const auto order = control.tick())
+                return order;
+        }
+        return std::nullopt;
     }
     /// Drives along x at 1 m/s for so long, 30 positions a second; gives the first order and when it came.
     std::optional<RunOrder> driveLine(RunControl &control, std::size_t robot, double fromM, double toM)
@@ -107,7 +125,7 @@ void TestRunControl::theSecondsBeforeAreChosen()
         QCOMPARE(pressed->at, m_now);
         QCOMPARE(pressed->from, m_now - before);
         run.press();
-        settings.byGates = true;
+        settings.start = settings.stop = RunTrigger{RunTrigger::Kind::Gate};
         run.prepare(settings, line(), 1);
         run.press();
         const Nanoseconds armed = m_now;
@@ -142,7 +160,7 @@ void TestRunControl::theRobotBeginsAndEndsItself()
 {
     RunControl run = control();
     RunSettings settings;
-    settings.byGates = true;
+    settings.start = settings.stop = RunTrigger{RunTrigger::Kind::Gate};
     run.prepare(settings, line(), 1);
     QVERIFY(run.startsByGate());
     QCOMPARE(run.startGate(), std::string("Start"));
@@ -164,7 +182,7 @@ void TestRunControl::lapsAreCounted()
 {
     RunControl run = control();
     RunSettings settings;
-    settings.byGates = true;
+    settings.start = settings.stop = RunTrigger{RunTrigger::Kind::Gate};
     settings.laps = 2;
     run.prepare(settings, circle(), 1);
     run.press();
@@ -191,7 +209,7 @@ void TestRunControl::allWhoStartedMustFinish()
 {
     RunControl run = control();
     RunSettings settings;
-    settings.byGates = true;
+    settings.start = settings.stop = RunTrigger{RunTrigger::Kind::Gate};
     run.prepare(settings, line(), 3); // the third one never starts
     run.press();
     QVERIFY(driveLine(run, 0, 0, 1));
@@ -204,7 +222,7 @@ void TestRunControl::allWhoStartedMustFinish()
 void TestRunControl::withoutGatesAPressDoes()
 {
     RunSettings settings;
-    settings.byGates = true;
+    settings.start = settings.stop = RunTrigger{RunTrigger::Kind::Gate};
     settings.countdown = 2s;
     Task pathOnly;
     pathOnly.path.points = {{0, 0}, {1, 0}};
@@ -227,6 +245,126 @@ void TestRunControl::withoutGatesAPressDoes()
     RunControl nobody = control();
     nobody.prepare(settings, line(), 0);
     QVERIFY(!nobody.startsByGate());
+}
+
+/// From the start box, which the robot leaves at 0.5 m, into the goal, whose edge is at 2.5 m.
+void TestRunControl::theEdgeOfAZoneStartsAndEnds()
+{
+    Task task;
+    task.zones = {rectangularZone("Box", ZoneRule::StayInside, {-0.5, -0.5}, {0.5, 0.5}),
+                  rectangularZone("Goal", ZoneRule::StayInside, {2.5, -0.5}, {3.5, 0.5})};
+    RunControl run = control();
+    RunSettings settings;
+    settings.start = RunTrigger{RunTrigger::Kind::Exit, "Box"};
+    settings.stop = RunTrigger{RunTrigger::Kind::Entry, "Goal"};
+    run.prepare(settings, task, 2);
+    QVERIFY(run.start() && run.stop() && !run.needsFloorSights());
+    QVERIFY(!run.press());
+    QCOMPARE(run.phase(), RunPhase::Armed);
+    QVERIFY(!run.robotAt(0, at(m_now, {3, 0}, {1, 0}))); // the other one is elsewhere, and stays
+    const Nanoseconds armed = m_now;
+    const auto begin = driveLine(run, 1, 0, 4);
+    QVERIFY(begin && begin->kind == RunOrder::Kind::Begin);
+    // on the edge, between two frames, the first of which comes an interval later
+    QVERIFY(std::chrono::abs(begin->at - (armed + 533ms)) < 5ms);
+    QCOMPARE(begin->from, begin->at - 1s);
+    const Nanoseconds entry = begin->at + 2s;
+    const auto end = driveLine(run, 1, 0.5 + toSeconds(m_now + 33ms - begin->at), 9);
+    QVERIFY(end && end->kind == RunOrder::Kind::End);
+    QVERIFY(std::chrono::abs(m_now - (entry + 1s)) < 100ms);
+    QCOMPARE(run.phase(), RunPhase::Ready);
+}
+
+/// A robot that rests on the edge, with noise of a millimetre.
+void TestRunControl::noiseAtAnEdgeIsNoCrossing()
+{
+    Task task;
+    task.zones = {rectangularZone("Box", ZoneRule::StayInside, {0, -0.5}, {1, 0.5})};
+    for (const RunTrigger::Kind kind : {RunTrigger::Kind::Entry, RunTrigger::Kind::Exit}) {
+        RunControl run = control();
+        RunSettings settings;
+        settings.start = RunTrigger{kind, "Box"};
+        run.prepare(settings, task, 1);
+        run.press();
+        for (int i = 0; i < 300; ++i) {
+            m_now += 33ms;
+            QVERIFY(!run.robotAt(0, at(m_now, {i % 2 == 0 ? 0.001 : -0.001, 0}, {0, 0})));
+        }
+        QCOMPARE(run.phase(), RunPhase::Armed);
+    }
+}
+
+/// It moves for 0.35 s as it is seen, 0.2 s and the lag of the comparison; what is shorter is none.
+void TestRunControl::motionStartsAndRestEnds()
+{
+    RunControl run = control();
+    RunSettings settings;
+    settings.start = RunTrigger{RunTrigger::Kind::Motion};
+    settings.stop = RunTrigger{RunTrigger::Kind::Motion, {}, usualRest};
+    run.prepare(settings, std::nullopt, 0);
+    QVERIFY(run.needsFloorSights());
+    QVERIFY(!look(run, 2s, true)); // before the press
+    QVERIFY(!run.press());
+    QVERIFY(!run.floorAt({m_now - 100ms, true})); // on its way
+    QVERIFY(!look(run, 1s, false));
+    QVERIFY(!look(run, 300ms, true)); // a hand
+    QVERIFY(!look(run, 1s, false));
+    const Nanoseconds moved = m_now;
+    const auto begin = look(run, 2s, true);
+    QVERIFY(begin && begin->kind == RunOrder::Kind::Begin);
+    QVERIFY(std::chrono::abs(begin->at - moved) < 40ms);
+    QVERIFY(m_now - moved < 450ms);
+    QCOMPARE(begin->from, begin->at - 1s);
+    QVERIFY(!look(run, 1s, true));
+    QVERIFY(!look(run, 1s, false)); // a short stop
+    QVERIFY(!look(run, 1s, true));
+    const Nanoseconds rests = m_now - FloorMotion::lag; // since when it does
+    const auto end = look(run, 3s, false);
+    QVERIFY(end && end->kind == RunOrder::Kind::End);
+    QVERIFY(std::chrono::abs(m_now - (rests + 1500ms)) < 70ms);
+}
+
+void TestRunControl::aPressWaitsForMotionBeforeItsRestEnds()
+{
+    RunControl run = control();
+    RunSettings settings;
+    settings.stop = RunTrigger{RunTrigger::Kind::Motion, {}, 2s};
+    run.prepare(settings, std::nullopt, 1);
+    QCOMPARE(run.press()->kind, RunOrder::Kind::Begin);
+    QVERIFY(!look(run, 20s, false)); // it has not moved yet
+    QVERIFY(!look(run, 1s, true));
+    QCOMPARE(look(run, 5s, false)->kind, RunOrder::Kind::End);
+}
+
+void TestRunControl::aTimeEnds()
+{
+    RunControl run = control();
+    RunSettings settings;
+    settings.stop = RunTrigger{RunTrigger::Kind::Time, {}, 3s};
+    settings.before = 5s; // is no part of it
+    run.prepare(settings, std::nullopt, 1);
+    run.press();
+    const Nanoseconds pressed = m_now;
+    m_now += 2990ms;
+    QVERIFY(!run.tick());
+    QCOMPARE(run.sinceStart(), 2990ms);
+    QCOMPARE(run.elapsed(), 7990ms);
+    m_now = pressed + 3s;
+    QCOMPARE(run.tick()->kind, RunOrder::Kind::End);
+}
+
+void TestRunControl::aTriggerThatTheTaskLacksHasNoEffect()
+{
+    for (const RunTrigger &trigger :
+         {RunTrigger{RunTrigger::Kind::Gate}, RunTrigger{RunTrigger::Kind::Entry, "Box"},
+          RunTrigger{RunTrigger::Kind::Time, {}, 1s}}) {
+        RunControl run = control();
+        RunSettings settings;
+        settings.start = trigger;
+        run.prepare(settings, Task{}, 1);
+        QVERIFY(!run.start());
+        QCOMPARE(run.press()->kind, RunOrder::Kind::Begin);
+    }
 }
 
 void TestRunControl::aRunThatNobodyEndsEnds()

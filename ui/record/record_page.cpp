@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/record_page.h"
 
-#include "core/base/platform/datagram_socket.h"
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -22,7 +21,6 @@
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QStackedWidget>
 #include <algorithm>
 
@@ -30,51 +28,10 @@ namespace odo {
 
 namespace {
 
-const QString onKey = QStringLiteral("sslVision/on"), addressKey = QStringLiteral("sslVision/address"),
-              portKey = QStringLiteral("sslVision/port"),
-              interfaceKey = QStringLiteral("sslVision/interface");
-
-} // namespace
-
-SentPositions SentPositions::chosen()
-{
-    const QSettings settings;
-    const BroadcastTarget usual;
-    SentPositions sent;
-    sent.isOn = settings.value(onKey, false).toBool();
-    sent.target.address =
-        settings.value(addressKey, QString::fromStdString(usual.address)).toString().toStdString();
-    const uint port = settings.value(portKey, usual.port).toUInt();
-    sent.target.port = port > 0 && port <= 65535 ? static_cast<std::uint16_t>(port) : usual.port;
-    sent.target.interface =
-        settings.value(interfaceKey, QString::fromStdString(usual.interface)).toString().toStdString();
-    return sent;
-}
-
-void SentPositions::choose() const
-{
-    QSettings settings;
-    settings.setValue(onKey, isOn);
-    settings.setValue(addressKey, QString::fromStdString(target.address));
-    settings.setValue(portKey, target.port);
-    settings.setValue(interfaceKey, QString::fromStdString(target.interface));
-}
-
-QStringList networkInterfaces()
-{
-    QStringList names{QString::fromStdString(BroadcastTarget().interface)};
-    for (const std::string &name : networkInterfaceNames())
-        if (!names.contains(QString::fromStdString(name)))
-            names << QString::fromStdString(name);
-    return names;
-}
-
-namespace {
-
 constexpr int tickMs = 50, healthEachTicks = 10;
 constexpr int columnWidth = 320;
 // Beyond what is to be recorded before a start: what a gate, or the project, takes to begin it.
-constexpr Nanoseconds keptBesides = std::chrono::seconds(3);
+constexpr Nanoseconds keptBesides = std::chrono::seconds(4);
 
 } // namespace
 
@@ -177,6 +134,8 @@ void RecordPage::connectCameras()
     connect(running, &RunningCameras::failed, this, &RecordPage::failed);
     connect(running, &RunningCameras::frameReady, m_board, &LiveBoard::setImage);
     connect(running, &RunningCameras::moved, this, &RecordPage::takeMoment);
+    connect(running, &RunningCameras::floorSeen, this,
+            [this](const MotionSight &sight) { obey(m_control.floorAt(sight)); });
     connect(m_board, &LiveBoard::shownSizeChanged, running, &RunningCameras::setShownSize);
 }
 
@@ -266,9 +225,17 @@ void RecordPage::showFloor()
         return;
     }
     m_board->setFloor(*scene);
-    if (m_control.phase() == RunPhase::Ready)
-        m_control.prepare(m_run->settings(), m_run->task(), m_run->robots().size());
+    prepare();
     showStart();
+}
+
+/// What comes next, unless something goes on.
+void RecordPage::prepare()
+{
+    if (m_control.phase() != RunPhase::Ready)
+        return;
+    m_control.prepare(m_run->settings(), m_run->task(), m_run->robots().size());
+    m_cameras.running().watchFloor(m_control.needsFloorSights());
 }
 
 /// Cameras keep what is to be recorded before the next start.
@@ -276,6 +243,7 @@ void RecordPage::keepBefore()
 {
     if (m_cameras.session())
         m_cameras.session()->setPreRoll(m_run->settings().before + keptBesides);
+    prepare();
     showStart();
 }
 
@@ -284,8 +252,7 @@ void RecordPage::followRobots()
     const std::vector<RobotRecord> robots = m_run->robots();
     m_followedSince = steadyNow();
     m_board->setRobots(robots);
-    if (m_control.phase() == RunPhase::Ready)
-        m_control.prepare(m_run->settings(), m_run->task(), robots.size());
+    prepare();
     m_sent = SentPositions::chosen();
     m_cameras.running().setTarget(m_sent.wanted());
     if (const Result<void> following = m_cameras.running().follow(robots); !following)
@@ -308,8 +275,7 @@ void RecordPage::takeMoment(const LiveMoment &moment)
 
 void RecordPage::press()
 {
-    if (m_control.phase() == RunPhase::Ready)
-        m_control.prepare(m_run->settings(), m_run->task(), m_run->robots().size());
+    prepare();
     obey(m_control.press());
     m_results->setRecording(m_control.phase() != RunPhase::Ready);
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
@@ -416,6 +382,15 @@ void RecordPage::showStart()
     const RunSettings settings = m_run->settings();
     state.beforeS = settings.countdown > Nanoseconds{0} ? 0 : int(toSeconds(settings.before));
     state.gate = QString::fromStdString(m_control.startGate());
+    const auto copyOf = [](const RunTrigger *trigger) {
+        return trigger ? std::optional(*trigger) : std::nullopt;
+    };
+    state.start = copyOf(m_control.start());
+    state.stop = copyOf(m_control.stop());
+    const bool isFloorSeen = std::ranges::any_of(
+        m_cameras.cameras(), [](const WantedCamera &camera) { return camera.floorView.has_value(); });
+    if (state.blocked.isEmpty() && state.start && !isFloorSeen)
+        state.blocked = tr("Register a camera to the floor, or begin at once");
     m_start->setState(state);
 }
 

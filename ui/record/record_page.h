@@ -91,6 +91,7 @@ private:
     void showFloor();
     void followRobots();
     void takeMoment(const LiveMoment &moment);
+    void prepare();
     void press();
     void obey(const std::optional<RunOrder> &order);
     void begin(const RunOrder &order);

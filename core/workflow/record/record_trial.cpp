@@ -6,6 +6,7 @@
 #include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
 #include "core/workflow/record/completed_recordings.h"
+#include "core/workflow/record/internal/live_following.h"
 #include "core/workflow/record/line_up.h"
 #include "core/workflow/record/live_tracking.h"
 #include "core/workflow/shared_words.h"
@@ -24,7 +25,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto checkInterval = 50ms, appendEach = 1000ms, longestStart = 10000ms;
-constexpr Nanoseconds startMargin = 2s; // which the project may take to begin a trial
+constexpr Nanoseconds startMargin = 3s; // which a gate, and the project, may take to begin a trial
 
 Result<void> checkSettings(Project &project, const RecordSettings &settings)
 {
@@ -106,77 +107,6 @@ Result<void> letRun(const RecordSettings &settings, const JobControl &control)
     return {};
 }
 
-/// Sends the robots' positions while it is there.
-struct LiveSending
-{
-    std::unique_ptr<LiveBroadcast> broadcast; // outlives the tracker, which gives it its moments
-    std::unique_ptr<LiveTracker> tracker;
-};
-
-Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &settings)
-{
-    std::vector<LiveView> views;
-    for (const auto &[name, address] : settings.cameras) {
-        LiveView view{name, {}};
-        if (const auto camera = project.cameras().find(name)) {
-            auto floorView = ODO_TRY(floorViewInForce(project, camera->id));
-            view.floorView = std::move(floorView);
-        }
-        views.push_back(std::move(view));
-    }
-    if (std::ranges::none_of(views, [](const LiveView &view) { return view.floorView.has_value(); }))
-        return fail(
-            ErrorCode::Undetermined, recordingSubject(settings.trial),
-            ODO_TEXT(
-                "workflow.no_live_positions",
-                "none of its cameras is registered to the floor, so there are no live positions to send"),
-            ODO_TEXT("workflow.register_or_do_not_send",
-                     "run odograph register for one of them, or leave --ssl-vision out"));
-    return views;
-}
-
-/// What is to be sent, before a camera is opened.
-struct SentRobots
-{
-    std::vector<LiveView> views;
-    std::vector<RobotRecord> robots;
-    std::unique_ptr<LiveBroadcast> broadcast;
-};
-
-Result<SentRobots> robotsToSend(Project &project, Result<std::vector<RobotRecord>> robots,
-                                const RecordSettings &settings)
-{
-    SentRobots sent;
-    if (!settings.broadcast)
-        return sent;
-    auto views = ODO_TRY(liveViews(project, settings));
-    if (!robots)
-        return tl::unexpected(robots.error());
-    auto broadcast = ODO_TRY(LiveBroadcast::create(*settings.broadcast, *robots));
-    sent.views = std::move(views);
-    sent.robots = std::move(*robots);
-    sent.broadcast = std::move(broadcast);
-    return sent;
-}
-
-Result<LiveSending> beginSending(SentRobots sent, CaptureSession &session)
-{
-    LiveSending sending;
-    if (!sent.broadcast)
-        return sending;
-    sending.broadcast = std::move(sent.broadcast);
-    std::vector<LiveTracker::Feed> feeds;
-    for (std::size_t view = 0; view < sent.views.size(); ++view)
-        feeds.push_back(session.subscribeFrames(view, 2));
-    auto tracker = LiveTracker::create(
-        sent.views, sent.robots, std::move(feeds),
-        {{}, [&broadcast = *sending.broadcast](const LiveMoment &moment) { broadcast.take(moment); }});
-    if (!tracker)
-        return tl::unexpected(tracker.error());
-    sending.tracker = std::move(*tracker);
-    return sending;
-}
-
 /// What is stored in a file that was taken away would go with it.
 Result<void> rescueIfLost(const Project &project, LiveTrial &live)
 {
@@ -189,18 +119,62 @@ Result<void> rescueIfLost(const Project &project, LiveTrial &live)
     return {};
 }
 
-/// Until its time is over, or nothing more can be recorded.
-Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
-                           const RecordSettings &settings, const JobControl &control)
+/// A run that starts and ends by the settings' triggers; its seconds are counted besides.
+RunControl runOf(const RecordSettings &settings, const std::optional<Task> &task, std::size_t robots)
 {
-    const auto hasEnded = [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; };
-    const auto begun = Clock::now();
-    auto appended = begun;
+    RunControl run(steadyNow);
+    run.prepare({.start = settings.start,
+                 .stop = settings.stop,
+                 .before = fromSeconds(settings.preRollS),
+                 .longest = fromSeconds(longestRecordingS + 2 * longestPreRollS)},
+                task, robots);
+    return run;
+}
+
+Result<std::optional<Task>> taskOf(Project &project, const RecordSettings &settings)
+{
+    if (settings.task.empty())
+        return std::nullopt;
+    return ODO_TRY(project.tasks().find(settings.task)).task;
+}
+
+bool hasEnded(const ViewHealth &view)
+{
+    return view.state == ViewHealth::State::Ended;
+}
+
+/// The start: at once, or when what starts it by itself has happened.
+Result<RunOrder> awaitStart(RunControl &run, LiveFollowing &following, const CaptureSession &session,
+                            const RecordSettings &settings, const JobControl &control)
+{
+    std::optional<RunOrder> order = run.press();
+    while (!order) {
+        control.report(0, ODO_TEXT("workflow.waiting_for_start", "waiting for the start"));
+        if (control.isCancelled())
+            return cancelled(recordingSubject(settings.trial));
+        if (std::ranges::any_of(session.health().views, hasEnded))
+            return fail(ErrorCode::Io, recordingSubject(settings.trial),
+                        ODO_TEXT("workflow.camera_ended_before_start", "a camera ended before the start"),
+                        ODO_TEXT("workflow.check_it_is_connected",
+                                 "check that it is connected and not used by another program"));
+        std::this_thread::sleep_for(checkInterval);
+        order = following.advance(run);
+    }
+    return *order;
+}
+
+/// Until its time is over, it ends by itself, or nothing more can be recorded.
+Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session, RunControl &run,
+                           LiveFollowing &following, const RecordSettings &settings,
+                           const JobControl &control)
+{
+    const Nanoseconds begun = steadyNow() - run.sinceStart();
+    auto appended = Clock::now();
     bool wasInPlace = true;
     for (;;) {
         std::this_thread::sleep_for(checkInterval);
         const auto now = Clock::now();
-        const double passedS = std::chrono::duration<double>(now - begun).count();
+        const double passedS = toSeconds(steadyNow() - begun);
         control.report(std::min(1.0, passedS / settings.seconds),
                        ODO_TEXT("workflow.recording", "recording"));
         if (std::exchange(wasInPlace, project.isInPlace()) && !wasInPlace && settings.warn)
@@ -209,7 +183,7 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
                                    "and its contents will be saved at the end"));
         const CaptureHealth health = session.health();
         if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
-            std::ranges::any_of(health.views, hasEnded))
+            following.advance(run) || std::ranges::any_of(health.views, hasEnded))
             return {};
         if (now - appended < appendEach)
             continue;
@@ -224,27 +198,28 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
                                                const JobControl &control)
 {
     ODO_TRY(checkSettings(project, settings));
-    auto trial = ODO_TRY(trialOf(project, {.robots = settings.robots, .trial = settings.trial}));
-    // none is an error only where they are sent
+    const auto task = ODO_TRY(taskOf(project, settings));
+    auto trial = ODO_TRY(
+        trialOf(project, {.task = settings.task, .robots = settings.robots, .trial = settings.trial}));
+    // none is an error only where they are followed
     const auto robots = robotsToTrack(project, trial, settings.robots);
-    auto sent = ODO_TRY(robotsToSend(project, robots, settings));
+    auto followed = ODO_TRY(readFollowed(project, robots, settings));
+    RunControl run = runOf(settings, task, followed.robots.size());
     auto cameras = ODO_TRY(openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>()))));
-    const Nanoseconds preRoll = fromSeconds(settings.preRollS);
+    const bool isKept = settings.preRollS > 0 || settings.start;
     CaptureSession session(std::move(cameras),
-                           {.preRoll = settings.preRollS > 0 ? preRoll + startMargin : 0ns});
+                           {.preRoll = isKept ? fromSeconds(settings.preRollS) + startMargin : 0ns});
     ODO_TRY(waitForFrames(session, settings, control));
-    const auto sending = beginSending(std::move(sent), session); // ends before the session does
-    if (!sending)
-        return tl::unexpected(sending.error());
+    const auto following = ODO_TRY(LiveFollowing::begin(std::move(followed), session)); // ends before it
     ODO_TRY(letRun(settings, control));
     std::vector<std::string> names;
     for (const auto &[name, address] : settings.cameras)
         names.push_back(name);
+    const RunOrder start = ODO_TRY(awaitStart(run, *following, session, settings, control));
     project.keepWritingWhenLost(); // it is rescued at the end
-    const Nanoseconds at = steadyNow();
     auto live =
-        ODO_TRY(LiveTrial::begin(project, std::move(trial), names, session, RunStart{at, at - preRoll}));
-    const auto kept = keepRecording(project, *live, session, settings, control);
+        ODO_TRY(LiveTrial::begin(project, std::move(trial), names, session, RunStart{start.at, start.from}));
+    const auto kept = keepRecording(project, *live, session, run, *following, settings, control);
     // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once
     // more, with all that is missing.
     if (auto ended = runToEnd(*live, project, {{}, control.progress}); !ended)

@@ -21,6 +21,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -63,6 +64,8 @@ private Q_SLOTS:
     void recordsByKeyAndTheNextTeamIsUp();
     void theSecondsBeforeThePressAreRecorded();
     void theRobotStartsAndEndsTheRun();
+    void motionStartsARunThatEndsAfterATime();
+    void withoutAFloorNothingStartsByItself();
     void theRobotOfTheTeamThatIsUpDrives_data();
     void theRobotOfTheTeamThatIsUpDrives();
     void placesAreSentWhereThatIsChosen();
@@ -88,6 +91,9 @@ private:
     QString warning() const { return part<WarningBar>()->words(); }
     std::vector<TrialRecord> trials() const { return *m_project->trials().all(); }
     void chooseStart(const QVariant &data);
+    QComboBox *choice(const QString &accessibleName) const;
+    template <class Box>
+    Box *box(const QString &accessibleName) const;
     QSpinBox *before() const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -272,6 +278,63 @@ void TestRecordPage::theRobotStartsAndEndsTheRun()
     QVERIFY(lap != analyses.front().profile.metrics.end());
     QVERIFY2(std::abs(lap->value - 2 * M_PI * test::circleRadiusM / 1.1) < 0.05,
              qPrintable(QString::number(lap->value)));
+}
+
+template <class Box>
+Box *TestRecordPage::box(const QString &accessibleName) const
+{
+    for (Box *each : part<RunCard>()->findChildren<Box *>()) {
+        if (each->accessibleName() == accessibleName)
+            return each;
+    }
+    return nullptr;
+}
+
+QComboBox *TestRecordPage::choice(const QString &accessibleName) const
+{
+    return box<QComboBox>(accessibleName);
+}
+
+/// The robot circles all the time, so it starts as soon as the button is pressed; and ends two seconds later.
+void TestRecordPage::motionStartsARunThatEndsAfterATime()
+{
+    show();
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    QComboBox *ends = choice(QStringLiteral("When the recording ends"));
+    auto *after = box<QDoubleSpinBox>(QStringLiteral("Seconds after the start that end the recording"));
+    QVERIFY(!after->isVisible());
+    chooseStart(-2);
+    ends->setCurrentIndex(ends->findText(QStringLiteral("after a time")));
+    QVERIFY(after->isVisible());
+    after->setValue(2);
+    waitForTheRobot();
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    QVERIFY(!m_page->isRecording());
+    QVERIFY2(
+        part<StartCard>()->words().startsWith(QStringLiteral("Waiting until something moves on the floor.")),
+        qPrintable(part<StartCard>()->words()));
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->isRecording(), runMs);
+    QCOMPARE(part<StartCard>()->words(), QStringLiteral("Ends 2 s after the start, or with F9"));
+    QTRY_VERIFY_WITH_TIMEOUT(button()->text() == QStringLiteral("Record"), runMs);
+    QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && !trials().front().unfinished, runMs);
+    // A second before, two after it, and what the tick and the last frame take.
+    QVERIFY2(trials().front().durationS > 2.5 && trials().front().durationS < 4,
+             qPrintable(QString::number(trials().front().durationS)));
+    QVERIFY(trials().front().variables.contains(startVariable));
+}
+
+void TestRecordPage::withoutAFloorNothingStartsByItself()
+{
+    m_project =
+        std::move(*Project::create(m_folder->filePath(QStringLiteral("bare.odo")).toStdString(), "Bare"));
+    QVERIFY(m_project->cameras().add({0, "A", "sim:A"}));
+    show();
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    chooseStart(-2);
+    QVERIFY(!button()->isEnabled());
+    QCOMPARE(part<StartCard>()->words(), QStringLiteral("Register a camera to the floor, or begin at once"));
+    chooseStart(0);
+    QVERIFY(button()->isEnabled());
 }
 
 void TestRecordPage::theRobotOfTheTeamThatIsUpDrives_data()

@@ -3,6 +3,7 @@
 
 #include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
+#include "ui/record/internal/trigger_box.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
@@ -25,24 +26,36 @@ namespace odo {
 
 namespace {
 
-constexpr int byGate = -1; // data of the way to begin; others are seconds
 constexpr int mostLaps = 100, mostBeforeS = 30;
+constexpr double leastRestS = 0.5, mostRestS = 60, leastLengthS = 1, mostLengthS = 3600, usualLengthS = 10;
 
-const QString beforeKey = QStringLiteral("record/secondsBefore");
+const QString beforeKey = QStringLiteral("record/secondsBefore"), restKey = QStringLiteral("record/rest"),
+              lengthKey = QStringLiteral("record/length");
 
-bool hasStart(const std::optional<Task> &task, bool lapped)
+bool hasLaps(const std::optional<Task> &task)
 {
-    return task && std::ranges::any_of(task->gates, [lapped](const Gate &gate) {
-               return gate.role == GateRole::StartFinish || (!lapped && gate.role == GateRole::Start);
-           });
+    return task && std::ranges::find(task->gates, GateRole::StartFinish, &Gate::role) != task->gates.end();
+}
+
+/// A number of seconds that is remembered on this computer.
+void setUpSeconds(NumberBox &box, const QString &key, double least, double most, double usual)
+{
+    box.setDecimals(1);
+    box.setRange(least, most);
+    box.setSuffix(RunCard::tr(" s"));
+    box.setValue(QSettings().value(key, usual).toDouble());
+    QObject::connect(&box, &QDoubleSpinBox::valueChanged, &box,
+                     [key](double seconds) { QSettings().setValue(key, seconds); });
 }
 
 } // namespace
 
 RunCard::RunCard(QWidget *parent)
     : Card(tr("Up now"), parent), m_form(new QFormLayout), m_class(new QComboBox), m_team(new QComboBox),
-      m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots of this run"))),
-      m_trial(new QLineEdit), m_before(new QSpinBox), m_laps(new QSpinBox)
+      m_task(new QComboBox), m_start(new TriggerBox(TriggerBox::Of::Start)),
+      m_stop(new TriggerBox(TriggerBox::Of::Stop)), m_robots(new CheckList(tr("Robots of this run"))),
+      m_trial(new QLineEdit), m_before(new QSpinBox), m_laps(new QSpinBox), m_rest(new NumberBox),
+      m_length(new NumberBox)
 {
     auto *content = new QWidget;
     content->setObjectName(QStringLiteral("cardBody"));
@@ -55,20 +68,9 @@ RunCard::RunCard(QWidget *parent)
     m_form->addRow(tr("Tas&k"), m_task);
     m_form->addRow(tr("R&obots"), m_robots);
     m_form->addRow(tr("Trial &name"), m_trial);
-    m_form->addRow(tr("Be&gins"), m_start);
-    m_form->addRow(tr("&Laps"), m_laps);
-    m_form->addRow(tr("Before start"), m_before);
-    m_before->setRange(0, mostBeforeS);
-    m_before->setSuffix(tr(" s"));
-    m_before->setSpecialValueText(tr("off"));
-    m_before->setValue(QSettings().value(beforeKey, 0).toInt());
-    m_before->setAccessibleName(tr("Seconds recorded before the start"));
-    m_before->setToolTip(tr("Frames of this time are kept in memory, so a late press loses nothing"));
-    m_laps->setRange(1, mostLaps);
-    m_laps->setAccessibleName(tr("Number of laps"));
+    addTriggers();
     m_team->setAccessibleName(tr("Team of this run"));
-    m_start->setAccessibleName(tr("When the recording begins"));
-    for (QComboBox *box : {m_class, m_team, m_task, m_start}) {
+    for (QComboBox *box : {m_class, m_team, m_task}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(12);
     }
@@ -84,16 +86,45 @@ RunCard::RunCard(QWidget *parent)
         Q_EMIT changed();
     });
     connect(m_robots, &QListWidget::itemChanged, this, &RunCard::robotsChanged);
-    connect(m_start, &QComboBox::currentIndexChanged, this, [this] {
-        showStarts();
-        Q_EMIT changed();
-    });
+    showStarts();
+}
+
+/// How it begins and ends.
+void RunCard::addTriggers()
+{
+    m_form->addRow(tr("Be&gins"), m_start);
+    m_form->addRow(tr("Before start"), m_before);
+    m_form->addRow(tr("Ends"), m_stop);
+    m_form->addRow(tr("&Laps"), m_laps);
+    m_form->addRow(tr("At rest for"), m_rest);
+    m_form->addRow(tr("After start"), m_length);
+    m_start->setAccessibleName(tr("When the recording begins"));
+    m_stop->setAccessibleName(tr("When the recording ends"));
+    m_before->setRange(0, mostBeforeS);
+    m_before->setSuffix(tr(" s"));
+    m_before->setSpecialValueText(tr("off"));
+    m_before->setValue(QSettings().value(beforeKey, 0).toInt());
+    m_before->setAccessibleName(tr("Seconds recorded before the start"));
+    m_before->setToolTip(tr("Frames of this time are kept in memory, so a late press loses nothing"));
+    m_laps->setRange(1, mostLaps);
+    m_laps->setAccessibleName(tr("Number of laps"));
+    setUpSeconds(*m_rest, restKey, leastRestS, mostRestS, toSeconds(usualRest));
+    m_rest->setAccessibleName(tr("Seconds without motion that end the recording"));
+    setUpSeconds(*m_length, lengthKey, leastLengthS, mostLengthS, usualLengthS);
+    m_length->setAccessibleName(tr("Seconds after the start that end the recording"));
+    for (TriggerBox *box : {m_start, m_stop}) {
+        connect(box, &QComboBox::currentIndexChanged, this, [this] {
+            showStarts();
+            Q_EMIT changed();
+        });
+    }
     connect(m_laps, &QSpinBox::valueChanged, this, &RunCard::changed);
+    for (NumberBox *box : {m_rest, m_length})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &RunCard::changed);
     connect(m_before, &QSpinBox::valueChanged, this, [this](int seconds) {
         QSettings().setValue(beforeKey, seconds);
         Q_EMIT beforeChanged();
     });
-    showStarts();
 }
 
 void RunCard::setLineUp(const LineUp &lineUp)
@@ -167,19 +198,20 @@ void RunCard::setRun(const NextRun &run)
     Q_EMIT changed();
 }
 
+/// Who starts at the gate usually ends at the finish; both can be chosen otherwise.
 void RunCard::showStarts()
 {
-    const QSignalBlocker quiet(m_start);
-    const QVariant chosen = m_start->count() > 0 ? m_start->currentData() : QVariant(0);
-    m_start->clear();
-    m_start->addItem(tr("at once"), 0);
-    for (const int seconds : {3, 5, 10})
-        m_start->addItem(tr("after a countdown of %1 s").arg(seconds), seconds);
-    if (hasStart(task(), false))
-        m_start->addItem(tr("when the robot passes the start"), byGate);
-    m_start->setCurrentIndex(std::max(0, m_start->findData(chosen)));
-    m_before->setEnabled(m_start->currentData().toInt() <= 0); // nobody is late after a countdown
-    m_form->setRowVisible(m_laps, m_start->currentData().toInt() == byGate && hasStart(task(), true));
+    m_start->setTask(task());
+    m_stop->setTask(task());
+    const bool byGate = m_start->isBy(TriggerBox::byGate);
+    if (std::exchange(m_startedByGate, byGate) != byGate && (byGate || m_stop->isBy(TriggerBox::byGate))) {
+        const QSignalBlocker quiet(m_stop);
+        m_stop->choose(byGate ? TriggerBox::byGate : TriggerBox::byPress);
+    }
+    m_before->setEnabled(m_start->countdownS() == 0); // nobody is late after a countdown
+    m_form->setRowVisible(m_laps, m_stop->isBy(TriggerBox::byGate) && hasLaps(task()));
+    m_form->setRowVisible(m_rest, m_stop->isBy(TriggerBox::byMotion));
+    m_form->setRowVisible(m_length, m_stop->isBy(TriggerBox::byTime));
 }
 
 NextRun RunCard::run() const
@@ -192,9 +224,13 @@ NextRun RunCard::run() const
 RunSettings RunCard::settings() const
 {
     RunSettings settings;
-    const int start = m_start->currentData().toInt();
-    settings.byGates = start == byGate;
-    settings.countdown = std::chrono::seconds(std::max(0, start));
+    settings.start = m_start->trigger();
+    settings.stop = m_stop->trigger();
+    if (m_stop->isBy(TriggerBox::byMotion))
+        settings.stop->time = fromSeconds(m_rest->value());
+    if (m_stop->isBy(TriggerBox::byTime))
+        settings.stop->time = fromSeconds(m_length->value());
+    settings.countdown = std::chrono::seconds(m_start->countdownS());
     settings.laps = m_laps->value();
     settings.before = std::chrono::seconds(m_before->value());
     return settings;
@@ -293,15 +329,13 @@ void StartCard::setState(const State &state)
     case RunPhase::Armed:
         text = tr("Cancel");
         sign = QStringLiteral("stop");
-        words = tr("Waiting for the robot at “%1”. The recording will include the %2 s before it")
-                    .arg(state.gate)
-                    .arg(std::max(1, state.beforeS));
+        words = awaitedWords(state.start.value_or(RunTrigger{}), state.gate, state.beforeS);
         able = true;
         break;
     case RunPhase::Recording:
         text = tr("Stop");
         sign = QStringLiteral("stop");
-        words = state.remainingTime;
+        words = state.stop ? endWords(*state.stop) : state.remainingTime;
         able = true;
         break;
     }

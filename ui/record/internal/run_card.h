@@ -17,9 +17,11 @@ class QSpinBox;
 namespace odo {
 
 class CheckList;
+class NumberBox;
+class TriggerBox;
 
-/// Who is up: class, team, task, robots, the trial's name; and how the recording begins. All of it can be
-/// changed by hand.
+/// Who is up: class, team, task, robots, the trial's name; and how the recording begins and ends. All of it
+/// can be changed by hand.
 class RunCard : public Card
 {
     Q_OBJECT
@@ -37,21 +39,25 @@ public:
     std::vector<RobotRecord> robots() const;
 
 Q_SIGNALS:
-    void changed();       ///< team, task or how to begin
+    void changed();       ///< team, task or how to begin and end
     void beforeChanged(); ///< so much before the start is to be recorded too
     void robotsChanged(); ///< other robots are to be followed
 
 private:
     void fillTeams();
     void chooseTeam();
+    void addTriggers();
     void showStarts();
 
     LineUp m_lineUp;
     QFormLayout *m_form;
-    QComboBox *m_class, *m_team, *m_task, *m_start;
+    QComboBox *m_class, *m_team, *m_task;
+    TriggerBox *m_start, *m_stop;
     CheckList *m_robots;
     QLineEdit *m_trial;
     QSpinBox *m_before, *m_laps;
+    NumberBox *m_rest, *m_length; ///< seconds
+    bool m_startedByGate = false;
 };
 
 /// The one big button, with what it will do, and how long it has been going on.
@@ -66,10 +72,11 @@ public:
         RunPhase phase = RunPhase::Ready;
         bool ending = false; ///< the last frames are being written
         Nanoseconds countdownLeft{0}, elapsed{0};
-        QString remainingTime; ///< remaining recording time
-        QString blocked;       ///< why nothing can be recorded now; empty: it can
-        QString gate;          ///< waiting for this one
-        int beforeS = 0;       ///< so much before the start is recorded too
+        QString remainingTime;                           ///< remaining recording time
+        QString blocked;                                 ///< why nothing can be recorded now; empty: it can
+        QString gate;                                    ///< waiting for this one
+        std::optional<RunTrigger> start = {}, stop = {}; ///< by itself
+        int beforeS = 0;                                 ///< so much before the start is recorded too
     };
     void setState(const State &state);
 

@@ -109,8 +109,13 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
             sending = tl::unexpected(broadcast.error());
     }
     std::vector<LiveView> views;
-    for (const WantedCamera &camera : m_cameras)
+    m_floors.clear(); // no tracker runs
+    for (const WantedCamera &camera : m_cameras) {
         views.push_back({camera.name, camera.floorView});
+        m_floors.emplace_back();
+        if (camera.floorView && camera.area)
+            m_floors.back().emplace(*camera.floorView, *camera.area);
+    }
     const auto subscribe = [this] {
         std::vector<LiveTracker::Feed> feeds;
         for (std::size_t v = 0; v < m_cameras.size(); ++v)
@@ -118,10 +123,7 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
         return feeds;
     };
     const LiveTracker::Listener listener{
-        [this](const LiveSight &sight) {
-            if (m_pace[sight.view].takes(sight.timedFrame.taken) && !m_isPending[sight.view].exchange(true))
-                m_toShow.pushOrDrop(sight);
-        },
+        [this, generation = m_generation](const LiveSight &sight) { takeSight(sight, generation); },
         [this, generation = m_generation, broadcast = m_broadcast.get()](const LiveMoment &moment) {
             if (broadcast)
                 broadcast->take(moment);
@@ -139,6 +141,24 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
             LiveTracker::create(views, {}, subscribe(), listener)) // they are shown all the same
         m_tracker = std::move(*imageAreas);
     return tl::unexpected(tracker.error());
+}
+
+/// The tracker's threads, one at a time.
+void RunningCameras::takeSight(const LiveSight &sight, quint64 generation)
+{
+    const TimedFrame &timed = sight.timedFrame;
+    if (m_pace[sight.view].takes(timed.taken) && !m_isPending[sight.view].exchange(true))
+        m_toShow.pushOrDrop(sight);
+    auto &floor = m_floors[sight.view];
+    if (!floor || !m_watchesFloor)
+        return;
+    const auto seen = floor->add(timed.captured.frame, timed.taken);
+    if (!seen)
+        return;
+    callLater(this, [this, generation, seen = *seen] {
+        if (generation == m_generation)
+            Q_EMIT floorSeen(seen);
+    });
 }
 
 void RunningCameras::stop()
@@ -289,6 +309,7 @@ Result<std::vector<WantedCamera>> wantedCameras(Project &project, const std::vec
             const Intrinsics &intrinsics = view.camera().intrinsics();
             camera.registeredPx = {intrinsics.widthPx, intrinsics.heightPx};
             camera.floorView = std::move(view);
+            camera.area = watchedArea(ODO_TRY(project.layouts().get(registration->layout)).layout);
         }
         wanted.push_back(std::move(camera));
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/capture/capture_session.h"
+#include "core/workflow/record/floor_motion.h"
 #include "core/workflow/record/live_tracking.h"
 #include "ui/models/camera_lists.h"
 #include "ui/models/trial_scene.h"
@@ -47,6 +48,7 @@ struct WantedCamera
     std::string name, uri;
     std::optional<FloorView> floorView; ///< empty: not registered, or for frames of another size
     QSize registeredPx = {};            ///< the size of its frames when it was registered; empty: it is not
+    std::optional<FloorArea> area = {}; ///< of the floor, where motion counts
 };
 
 /// A view's frame at the size it is shown in, with what was seen in it.
@@ -86,6 +88,8 @@ public:
     {
         return m_broadcast ? std::optional(m_broadcast->statistics()) : std::nullopt;
     }
+    /// Whether motion on the floor is looked for from now on: floorSeen().
+    void watchFloor(bool on) { m_watchesFloor = on; }
     void stop();
 
     bool isOpening() const { return m_opening; }
@@ -101,12 +105,14 @@ Q_SIGNALS:
     void failed(const odo::Error &error); ///< of follow()
     void frameReady(const odo::LiveFrame &live);
     void moved(const odo::LiveMoment &moment);
+    void floorSeen(const odo::MotionSight &sight);
 
 private:
     using Sources = std::vector<std::unique_ptr<CameraSource>>;
     Sources openAll(const std::vector<WantedCamera> &cameras) const;
     void adopt(quint64 generation, const std::shared_ptr<Sources> &opened);
     void onWorker(std::function<void()> work);
+    void takeSight(const LiveSight &sight, quint64 generation);
     void showFrames();
     void deliver(const LiveFrame &live);
 
@@ -121,6 +127,8 @@ private:
     std::unique_ptr<LiveTracker> m_tracker;
     quint64 m_generation = 0; ///< answers to an older one are not wanted
     bool m_opening = false;
+    std::atomic<bool> m_watchesFloor = false;
+    std::vector<std::optional<FloorMotion>> m_floors; ///< of each view; of the tracker's threads
 
     BoundedQueue<LiveSight> m_toShow{mostViews};
     std::array<ScreenPace, mostViews> m_pace; ///< of the tracker's threads, one at a time
