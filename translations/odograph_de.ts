@@ -19555,7 +19555,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>when nothing moves any more</source>
-        <translation>wenn sich nichts mehr bewegt</translation>
+        <translation>bei Stillstand</translation>
     </message>
     <message>
         <source>after a time</source>
