@@ -165,7 +165,7 @@ Result<LiveMeasurement> LiveRig::record(double seconds, const std::function<void
     const CaptureHealth before = m_cameras.session()->health();
     const LiveStatistics trackedBefore = m_cameras.tracker()->statistics();
     const Nanoseconds begin = steadyNow();
-    m_recorder.begin(run, {"A", "B"}, m_cameras.session(), begin);
+    m_recorder.begin(run, {"A", "B"}, m_cameras.session(), {begin, begin});
     m_cameras.tracker()->beginRun(begin);
     static_cast<WatchedApplication *>(qApp)->takeLongestMs();
     m_measuring = true;

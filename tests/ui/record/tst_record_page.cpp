@@ -317,10 +317,13 @@ void TestRecordPage::motionStartsARunThatEndsAfterATime()
     QCOMPARE(part<StartCard>()->words(), QStringLiteral("Ends 2 s after the start, or with F9"));
     QTRY_VERIFY_WITH_TIMEOUT(button()->text() == QStringLiteral("Record"), runMs);
     QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && !trials().front().unfinished, runMs);
-    // A second before, two after it, and what the tick and the last frame take.
-    QVERIFY2(trials().front().durationS > 2.5 && trials().front().durationS < 4,
-             qPrintable(QString::number(trials().front().durationS)));
-    QVERIFY(trials().front().variables.contains(startVariable));
+    // Two seconds after the start, with what the tick and the last frames take on a busy machine.
+    const TrialRecord trial = trials().front();
+    QVERIFY(trial.variables.contains(startVariable));
+    const double startS = QString::fromStdString(trial.variables.at(startVariable)).toDouble(),
+                 afterS = trial.durationS - startS;
+    QVERIFY2(startS > 0 && startS < 1.5 && afterS > 1 && afterS < 4,
+             qPrintable(QStringLiteral("%1 %2").arg(startS).arg(afterS)));
 }
 
 void TestRecordPage::withoutAFloorNothingStartsByItself()

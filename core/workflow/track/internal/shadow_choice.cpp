@@ -15,7 +15,6 @@ namespace {
 constexpr float darkerShadows[] = {0.30F, 0.20F}, darkestOfAll = 0.15F, lighterShadows[] = {0.55F, 0.7F};
 constexpr float nextDarker = 0.87F;    // where some of it is about as dark as the darkest
 constexpr double leastAmbiguity = 0.1; // share of a robot's pixels, over the frames
-constexpr double leastNear = 0.05;     // the same, of those that are about as dark as the darkest shadow
 constexpr double goodMisfit = 0.5;     // a quarter of a pixel
 constexpr double less = 0.98;          // of the misfit
 constexpr double clearlyLess = 0.9;    // where a shadow could as well be part of a robot that does not turn
@@ -101,12 +100,11 @@ Outlines ShadowChoice::outlinesOf(SettledViews &seen, std::size_t robot) const
 
 /// Robots of which much may be such a shadow, and whose outlines are not explained well already.
 /// misfitOfNone: counts where no solid explains them at all.
-std::vector<Outlines> ShadowChoice::uncertain(float ShadowAmbiguity::*share, double least,
-                                              double misfitOfNone)
+std::vector<Outlines> ShadowChoice::uncertain(float ShadowAmbiguity::*share, double misfitOfNone)
 {
     std::vector<Outlines> uncertain;
     for (std::size_t r = 0; r < m_robots.size(); ++r) {
-        if (meanAmbiguity(m_best.views, r, share) <= least)
+        if (meanAmbiguity(m_best.views, r, share) <= leastAmbiguity)
             continue;
         Outlines outlines = outlinesOf(m_best, r);
         if (outlines.misfit.value_or(misfitOfNone) > goodMisfit)
@@ -172,18 +170,18 @@ void ShadowChoice::search(bool inParts)
         connecting.connects = true;
         tryShadow(connecting, ofParts, less);
     }
-    std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted, leastAmbiguity, 0);
+    std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted, 0);
     Background::Shadow ofOtherHue = m_shadow;
     ofOtherHue.tint = Background::strongTint;
     tryShadow(ofOtherHue, tinted, clearlyLess);
-    std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep, leastAmbiguity, 0);
+    std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep, 0);
     bool isDeepest = false;
     for (const float darkest : darkerShadows)
         isDeepest = tryDarkest(darkest, deep, less);
     if (isDeepest)
         tryDarkest(darkestOfAll, deep, less);
     if (m_shadow.darkest == Background::Shadow().darkest) {
-        std::vector<Outlines> light = uncertain(&ShadowAmbiguity::light, leastAmbiguity, worstShapeMisfit);
+        std::vector<Outlines> light = uncertain(&ShadowAmbiguity::light, worstShapeMisfit);
         for (const float darkest : lighterShadows)
             if (!tryDarkest(darkest, light, clearlyLess))
                 break;
@@ -194,7 +192,7 @@ void ShadowChoice::search(bool inParts)
 /// Goes on to a little darker or lighter ones while that is clearly better.
 void ShadowChoice::searchNearby()
 {
-    std::vector<Outlines> near = uncertain(&ShadowAmbiguity::near, leastNear, 0);
+    std::vector<Outlines> near = uncertain(&ShadowAmbiguity::near, 0);
     for (const float factor : {nextDarker, 1 / nextDarker}) {
         const float before = m_shadow.darkest;
         while (tryDarkest(std::clamp(factor * m_shadow.darkest, darkestOfAll, lighterShadows[1]), near,

@@ -59,7 +59,7 @@ private:
     bool tryDarkest(float darkest, std::vector<Outlines> &known, double share);
     void searchNearby();
     Outlines outlinesOf(SettledViews &seen, std::size_t robot) const;
-    std::vector<Outlines> uncertain(float ShadowAmbiguity::*share, double least, double misfitOfNone);
+    std::vector<Outlines> uncertain(float ShadowAmbiguity::*share, double misfitOfNone);
     double likelihoodOf(const Tried &other, const Outlines &kept) const;
 
     const std::vector<RegisteredView> &m_views;
