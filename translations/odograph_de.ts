@@ -26861,10 +26861,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>give %1 the task %2</source>
         <translation>%1 die Aufgabe %2 geben</translation>
     </message>
-    <message>
-        <source>give one, such as --task Circle</source>
-        <translation>geben Sie eine an, etwa --task Circle</translation>
-    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26878,6 +26874,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give it a team too</source>
         <translation>geben Sie auch ein Team an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_their_task</name>
+    <message>
+        <source>give the task that has them</source>
+        <translation>geben Sie die Aufgabe an, die sie hat</translation>
     </message>
 </context>
 <context>
@@ -28430,8 +28433,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.register_or_give_seconds</name>
     <message>
-        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
-        <translation>rufen Sie odograph register für eine davon auf, oder lassen Sie --start-on und --stop-on weg</translation>
+        <source>register one of them, or give the seconds to record instead</source>
+        <translation>messen Sie eine davon ein, oder geben Sie stattdessen die Sekunden der Aufnahme an</translation>
     </message>
 </context>
 <context>

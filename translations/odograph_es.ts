@@ -26861,10 +26861,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>give %1 the task %2</source>
         <translation>dar a %1 la tarea %2</translation>
     </message>
-    <message>
-        <source>give one, such as --task Circle</source>
-        <translation>dé una, como --task Circle</translation>
-    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26878,6 +26874,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give it a team too</source>
         <translation>indique también un equipo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_their_task</name>
+    <message>
+        <source>give the task that has them</source>
+        <translation>indique la tarea que los tiene</translation>
     </message>
 </context>
 <context>
@@ -28430,8 +28433,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.register_or_give_seconds</name>
     <message>
-        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
-        <translation>ejecute odograph register para una de ellas, o quite --start-on y --stop-on</translation>
+        <source>register one of them, or give the seconds to record instead</source>
+        <translation>registre una de ellas, o indique en su lugar los segundos que grabar</translation>
     </message>
 </context>
 <context>

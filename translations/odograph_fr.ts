@@ -26861,10 +26861,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>give %1 the task %2</source>
         <translation>épreuve %2 donnée à %1</translation>
     </message>
-    <message>
-        <source>give one, such as --task Circle</source>
-        <translation>donnez-en une, comme --task Circle</translation>
-    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26878,6 +26874,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give it a team too</source>
         <translation>indiquez aussi une équipe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_their_task</name>
+    <message>
+        <source>give the task that has them</source>
+        <translation>indiquez la tâche qui les a</translation>
     </message>
 </context>
 <context>
@@ -28430,8 +28433,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.register_or_give_seconds</name>
     <message>
-        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
-        <translation>lancez odograph register pour l’une d’elles, ou omettez --start-on et --stop-on</translation>
+        <source>register one of them, or give the seconds to record instead</source>
+        <translation>localisez l’une d’elles, ou indiquez plutôt les secondes à filmer</translation>
     </message>
 </context>
 <context>

@@ -26782,10 +26782,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>give %1 the task %2</source>
         <translation>%1에 과제 %2 지정</translation>
     </message>
-    <message>
-        <source>give one, such as --task Circle</source>
-        <translation>--task Circle처럼 하나를 주십시오</translation>
-    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26799,6 +26795,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give it a team too</source>
         <translation>팀도 함께 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_their_task</name>
+    <message>
+        <source>give the task that has them</source>
+        <translation>이를 포함하는 과제를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -28351,8 +28354,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.register_or_give_seconds</name>
     <message>
-        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
-        <translation>그중 하나에 odograph register를 실행하거나 --start-on과 --stop-on을 빼십시오</translation>
+        <source>register one of them, or give the seconds to record instead</source>
+        <translation>그중 하나를 정합하거나, 대신 녹화할 초 수를 지정하십시오</translation>
     </message>
 </context>
 <context>

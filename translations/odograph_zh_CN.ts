@@ -26782,10 +26782,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>give %1 the task %2</source>
         <translation>将任务 %2 赋予 %1</translation>
     </message>
-    <message>
-        <source>give one, such as --task Circle</source>
-        <translation>请给出任务，例如 --task Circle</translation>
-    </message>
 </context>
 <context>
     <name>workflow.give_team</name>
@@ -26799,6 +26795,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give it a team too</source>
         <translation>请同时指定小组</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_their_task</name>
+    <message>
+        <source>give the task that has them</source>
+        <translation>请指定包含它们的任务</translation>
     </message>
 </context>
 <context>
@@ -28351,8 +28354,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.register_or_give_seconds</name>
     <message>
-        <source>run odograph register for one of them, or leave --start-on and --stop-on out</source>
-        <translation>请对其中之一运行 odograph register，或去掉 --start-on 和 --stop-on</translation>
+        <source>register one of them, or give the seconds to record instead</source>
+        <translation>请配准其中一台，或改为指定录制的秒数</translation>
     </message>
 </context>
 <context>

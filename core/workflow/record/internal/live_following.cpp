@@ -41,7 +41,7 @@ Result<void> checkTrigger(Project &project, const RecordSettings &settings, cons
     if (settings.task.empty())
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("workflow.no_task_for_gate", "gates and zones are a task's, and none was given"),
-                    ODO_TEXT("workflow.give_task", "give one, such as --task Circle"));
+                    ODO_TEXT("workflow.give_their_task", "give the task that has them"));
     const TaskRecord task = ODO_TRY(project.tasks().find(settings.task));
     const auto isStart = [](const Gate &gate) {
         return gate.role == GateRole::Start || gate.role == GateRole::StartFinish;
@@ -100,7 +100,7 @@ Result<void> readViews(Project &project, const RecordSettings &settings, Followe
         ODO_TEXT("workflow.no_floor_to_watch",
                  "none of its cameras is registered to the floor, so nothing there starts or ends it"),
         ODO_TEXT("workflow.register_or_give_seconds",
-                 "run odograph register for one of them, or leave --start-on and --stop-on out"));
+                 "register one of them, or give the seconds to record instead"));
 }
 
 } // namespace
