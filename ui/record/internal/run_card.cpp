@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/internal/run_card.h"
 
+#include "core/workflow/record/record_trial.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
 #include "ui/record/internal/trigger_box.h"
@@ -26,7 +27,7 @@ namespace odo {
 
 namespace {
 
-constexpr int mostLaps = 100, mostBeforeS = 30;
+constexpr int mostLaps = 100;
 constexpr double leastRestS = 0.5, mostRestS = 60, leastLengthS = 1, mostLengthS = 3600, usualLengthS = 10;
 
 const QString beforeKey = QStringLiteral("record/secondsBefore"), restKey = QStringLiteral("record/rest"),
@@ -100,7 +101,7 @@ void RunCard::addTriggers()
     m_form->addRow(tr("After start"), m_length);
     m_start->setAccessibleName(tr("When the recording begins"));
     m_stop->setAccessibleName(tr("When the recording ends"));
-    m_before->setRange(0, mostBeforeS);
+    m_before->setRange(0, int(longestPreRollS));
     m_before->setSuffix(tr(" s"));
     m_before->setSpecialValueText(tr("off"));
     m_before->setValue(QSettings().value(beforeKey, 0).toInt());
